@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "tricover/export.h"
@@ -45,6 +46,9 @@ class TRICOVER_EXPORT Polygon {
   /// fewer than three vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more
   /// counted for each ring).
   explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
+  /// Makes a polygon from one ring. A template, so that braces still mean a vector of rings. Throws likewise.
+  template <typename OneRing, std::enable_if_t<std::is_same_v<OneRing, Ring>, int> = 0>
+  explicit Polygon(const OneRing& ring, FillRule fill = FillRule::EvenOdd) : Polygon(ring.data(), ring.size(), fill) {}
   /// Makes a polygon from one ring of `count` contiguous vertices, which it copies. Cheaper than Polygon({ring}).
   /// Throws likewise, and for a null pointer. \snippet polygon.cpp raw
   Polygon(const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd);
@@ -91,6 +95,9 @@ class TRICOVER_EXPORT Polygon {
   Vec2 centroid() const;
   /// The smallest box around it, along the axes of its frame. Exact.
   Eigen::AlignedBox2d bounds() const;
+  /// A box in the world, along its axes, around the polygon under a pose: larger than the smallest one by rounding at
+  /// most. Throws as checkPose() does.
+  Eigen::AlignedBox2d bounds(const Pose& pose) const;
   /// Whether it is one ring that has an area, turns one way and goes around once; straight and repeated vertices don't
   /// matter. Exact, and kept from the first call on. (A region may be convex by rings that aren't, as two halves of a
   /// square: that isn't looked for.)
@@ -99,6 +106,9 @@ class TRICOVER_EXPORT Polygon {
   /// Moved for good: every vertex plus `by`, rounded. Throws std::invalid_argument where that isn't finite.
   /// \snippet polygon.cpp measures
   Polygon translated(const Vec2& by) const;
+  /// Returns the polygon that this one is under a pose: every vertex R p + t, rounded. Throws std::invalid_argument as
+  /// checkPose() does, and where a vertex isn't finite. \snippet polygon.cpp measures
+  Polygon transformed(const Pose& pose) const;
   /// Larger or smaller, about the origin of its frame: every coordinate times `factor`, rounded. Throws
   /// std::invalid_argument for a factor that isn't positive and finite, and where what comes out isn't finite.
   /// \snippet polygon.cpp measures

@@ -25,6 +25,15 @@ static_assert(alignof(Vec2) == 16,
 /// \snippet pose.cpp pose
 using Pose = Eigen::Isometry2d;
 
+/// Returns the pose of a body at (x, y) in the world whose frame is rotated by `heading`, in radians,
+/// counter-clockwise. \snippet pose.cpp pose
+inline Pose pose(double x, double y, double heading = 0) {
+  Pose at = Pose::Identity();
+  at.linear() = Eigen::Rotation2Dd(heading).toRotationMatrix();
+  at.translation() = Vec2(x, y);
+  return at;
+}
+
 /// How far an entry of R^T R may be from the identity's. Products of a thousand equal factors of float, or of a hundred
 /// thousand different ones, miss it by 6e-5; a scale or a shear that is meant misses it by more. No answer depends on
 /// the limit, for all of them are about the map as it is written.

@@ -23,4 +23,10 @@ TRICOVER_EXPORT Polygon point(const Vec2& p);
 /// \snippet segment.cpp segment
 TRICOVER_EXPORT Polygon segment(const Vec2& p, const Vec2& q);
 
+/// Returns the rectangle of that width, along x, and height, along y, around the origin of its frame. Throws
+/// std::invalid_argument for a length that is not finite and positive.
+///
+/// \snippet segment.cpp box
+TRICOVER_EXPORT Polygon box(double width, double height);
+
 }  // namespace tricover

@@ -31,7 +31,7 @@ struct TimedKnot {
 };
 
 /// How a body moves, leg after leg, each a Motion, by a clock of the caller's: seconds, say. Before its begin and after
-/// its end it rests. It never changes.
+/// its end it rests, or is absent (ImpactOptions::absent_outside). It never changes.
 ///
 /// \snippet trajectory.cpp trajectory
 class TRICOVER_EXPORT Trajectory {
@@ -61,15 +61,16 @@ class TRICOVER_EXPORT Trajectory {
   std::vector<Leg> legs_;
 };
 
-/// The first contact of two bodies on their trajectories, from the first begin to the last end of the two. All is as
-/// for two motions; times, and `time_error`, are the trajectories' own.
+/// The first contact of two bodies on their trajectories, from the first begin to the last end of the two; with
+/// `absent_outside`, from the last begin to the first end. All is as for two motions; times, and `time_error`, are the
+/// trajectories' own.
 ///
 /// \snippet trajectory.cpp trajectory
 TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                                    const Trajectory& trajectory_b, const ImpactOptions& options = {});
 
 /// Returns all time intervals in which the bodies meet. The last one ends at the last end of the two, if they meet
-/// then.
+/// then; with `absent_outside`, at the first end.
 ///
 /// \snippet trajectory.cpp trajectory
 TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,

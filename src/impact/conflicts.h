@@ -3,6 +3,7 @@
 
 #include "impact/moving_pair.h"
 #include "tricover/conflicts.h"
+#include "tricover/trajectory.h"
 
 namespace tricover::detail {
 
@@ -44,5 +45,17 @@ class MovingContact {
 /// then that says whether it lasts to the end.
 std::vector<Conflict> conflictsFrom(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                     const ImpactOptions& options, bool& leaves_out);
+
+/// A trajectory, and whether its body is absent outside of its time.
+struct TimedBody {
+  const Trajectory& trajectory;
+  bool absent_outside;
+};
+
+/// timeOfImpact() and conflicts() of trajectories, with options that have been checked and that say nothing of absence.
+std::optional<Impact> timeOfImpact(const Polygon& a, const TimedBody& body_a, const Polygon& b, const TimedBody& body_b,
+                                   const ImpactOptions& options);
+std::vector<Conflict> conflicts(const Polygon& a, const TimedBody& body_a, const Polygon& b, const TimedBody& body_b,
+                                const ImpactOptions& options);
 
 }  // namespace tricover::detail

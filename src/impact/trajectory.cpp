@@ -40,19 +40,24 @@ std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, 
   return legs;
 }
 
-/// visit(begin, end), in order, between all times at which a leg of either one ends, until it returns false.
+/// visit(begin, end), in order, between all times at which a leg of either one ends, while both bodies are there, until
+/// it returns false.
 template <typename Visit>
-void forEachInterval(const Trajectory& a, const Trajectory& b, Visit visit) {
+void forEachInterval(const detail::TimedBody& a, const detail::TimedBody& b, Visit visit) {
   std::vector<double> times;
-  times.reserve(a.legs().size() + b.legs().size() + 2);
-  for (const Trajectory* trajectory : {&a, &b}) {
-    times.push_back(trajectory->begin());
-    for (const Leg& leg : trajectory->legs()) times.push_back(leg.end);
+  times.reserve(a.trajectory.legs().size() + b.trajectory.legs().size() + 2);
+  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
+  for (const detail::TimedBody* body : {&a, &b}) {
+    times.push_back(body->trajectory.begin());
+    for (const Leg& leg : body->trajectory.legs()) times.push_back(leg.end);
+    if (!body->absent_outside) continue;
+    begin = std::max(begin, body->trajectory.begin());
+    end = std::min(end, body->trajectory.end());
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   for (std::size_t i = 1; i < times.size(); ++i)
-    if (!visit(times[i - 1], times[i])) return;
+    if (times[i - 1] >= begin && times[i] <= end && !visit(times[i - 1], times[i])) return;
 }
 
 }  // namespace
@@ -97,34 +102,32 @@ Pose Trajectory::at(double time) const {
   return leg.motion.at((time - leg.begin) / (leg.end - leg.begin));
 }
 
-std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
-                                   const Trajectory& trajectory_b, const ImpactOptions& options) {
-  detail::checkOptions(options);
+std::optional<Impact> detail::timeOfImpact(const Polygon& a, const TimedBody& body_a, const Polygon& b,
+                                           const TimedBody& body_b, const ImpactOptions& options) {
   if (options.ignore_initial) {
-    const std::vector<Conflict> all = conflicts(a, trajectory_a, b, trajectory_b, options);
+    const std::vector<Conflict> all = conflicts(a, body_a, b, body_b, options);
     if (all.empty()) return std::nullopt;
     return all.front().impact;
   }
   std::optional<Impact> found;
-  forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
-    found = timeOfImpact(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
-                         detail::optionsWithin(options, end - begin));
-    if (found) found->time = detail::timeWithin(begin, end - begin, found->time);
+  forEachInterval(body_a, body_b, [&](double begin, double end) {
+    found = tricover::timeOfImpact(a, body_a.trajectory.part(begin, end), b, body_b.trajectory.part(begin, end),
+                                   optionsWithin(options, end - begin));
+    if (found) found->time = timeWithin(begin, end - begin, found->time);
     return !found;
   });
   return found;
 }
 
-std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
-                                const Trajectory& trajectory_b, const ImpactOptions& options) {
-  detail::checkOptions(options);
+std::vector<Conflict> detail::conflicts(const Polygon& a, const TimedBody& body_a, const Polygon& b,
+                                        const TimedBody& body_b, const ImpactOptions& options) {
   std::vector<Conflict> all;
   bool leaves_out = options.ignore_initial;
-  forEachInterval(trajectory_a, trajectory_b, [&](double begin, double end) {
+  forEachInterval(body_a, body_b, [&](double begin, double end) {
     const double length = end - begin;
-    for (Conflict& found : detail::conflictsFrom(a, trajectory_a.part(begin, end), b, trajectory_b.part(begin, end),
-                                                 detail::optionsWithin(options, length), leaves_out)) {
-      found.impact.time = detail::timeWithin(begin, length, found.impact.time);
+    for (Conflict& found : conflictsFrom(a, body_a.trajectory.part(begin, end), b, body_b.trajectory.part(begin, end),
+                                         optionsWithin(options, length), leaves_out)) {
+      found.impact.time = timeWithin(begin, length, found.impact.time);
       found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
       if (all.empty() || found.impact.time > all.back().end) all.push_back(found);
       all.back().end = found.end;
@@ -133,6 +136,20 @@ std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a
     return true;
   });
   return all;
+}
+
+std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                   const Trajectory& trajectory_b, const ImpactOptions& options) {
+  detail::checkOptions(options);
+  return detail::timeOfImpact(a, {trajectory_a, options.absent_outside}, b, {trajectory_b, options.absent_outside},
+                              options);
+}
+
+std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                const Trajectory& trajectory_b, const ImpactOptions& options) {
+  detail::checkOptions(options);
+  return detail::conflicts(a, {trajectory_a, options.absent_outside}, b, {trajectory_b, options.absent_outside},
+                           options);
 }
 
 }  // namespace tricover

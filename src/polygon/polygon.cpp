@@ -15,6 +15,7 @@
 #include "numbers/errors.h"
 #include "numbers/power_of_two.h"
 #include "numbers/predicates.h"
+#include "numbers/rigidity.h"
 #include "polygon/convexity.h"
 #include "polygon/polygon_data.h"
 #include "tricover/segment.h"
@@ -327,6 +328,15 @@ Eigen::AlignedBox2d Polygon::bounds() const {
   return box;
 }
 
+Eigen::AlignedBox2d Polygon::bounds(const Pose& pose) const {
+  detail::requireRigid(pose, "pose");
+  Eigen::AlignedBox2d box;
+  for (const Vec2& vertex : data_->path) box.extend(Vec2(pose * vertex));
+  // Two products and two sums of coordinates.
+  const double error = 4 * detail::kUnitRoundoff * (data_->extent + pose.translation().lpNorm<1>()) + detail::kTiny;
+  return {box.min() - Vec2::Constant(error), box.max() + Vec2::Constant(error)};
+}
+
 namespace {
 
 template <typename Map>
@@ -346,6 +356,11 @@ Polygon Polygon::translated(const Vec2& by) const {
   return mapped(*this, [&](const Vec2& vertex) { return Vec2(vertex + by); });
 }
 
+Polygon Polygon::transformed(const Pose& pose) const {
+  detail::requireRigid(pose, "pose");
+  return mapped(*this, [&](const Vec2& vertex) { return Vec2(pose * vertex); });
+}
+
 Polygon Polygon::scaled(double factor) const {
   if (!(factor > 0 && std::isfinite(factor))) detail::refuse("factor", "it must be finite and positive");
   return mapped(*this, [&](const Vec2& vertex) { return Vec2(factor * vertex); });
@@ -361,6 +376,14 @@ Polygon segment(const Vec2& p, const Vec2& q) {
   detail::requireFinite(q, "q");
   const Vec2 ring[] = {p, q, q};
   return Polygon(ring, 3);
+}
+
+Polygon box(double width, double height) {
+  for (const auto& [length, field] : {std::pair(width, "width"), std::pair(height, "height")})
+    if (!(length > 0 && std::isfinite(length))) detail::refuse(field, "it must be finite and positive");
+  const double x = 0.5 * width, y = 0.5 * height;
+  const Vec2 ring[] = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+  return Polygon(ring, 4);
 }
 
 bool Polygon::isConvex() const { return detail::cornersOf(*data_) != nullptr; }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "impact/conflicts.h"
 #include "impact/cubic.h"
 #include "impact/options.h"
 #include "numbers/errors.h"
@@ -256,7 +257,7 @@ std::vector<std::uint32_t> motionsOf(const SceneState& state, const std::vector<
   return motion_of;
 }
 
-/// Calls query(polygon, path, polygon, path, options) for each pair that may meet, in parallel, then report(pair,
+/// Calls query(polygon, moving, polygon, moving, options) for each pair that may meet, in parallel, then report(pair,
 /// answer) in the order of handles. `motions` are BodyMotions or BodyTrajectories.
 template <typename Answer, typename Moving, typename Query, typename Report>
 void queryPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
@@ -264,19 +265,32 @@ void queryPairs(const std::vector<Moving>& motions, const char* name, const Scen
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
   // One body of a pair may stand still while the other one moves.
-  const auto pathBeside = [&](Slot slot, Slot other) {
+  const auto movingBeside = [&](Slot slot, Slot other) -> Moving {
     const std::uint32_t own = motion_of[slot];
-    return own < motions.size() ? pathOf(motions[own])
-                                : stillBeside(pathOf(motions[motion_of[other]]), state.bodies[slot].pose);
+    if (own < motions.size()) return motions[own];
+    return {state.handleOf(slot), stillBeside(pathOf(motions[motion_of[other]]), state.bodies[slot].pose)};
   };
   std::vector<Answer> found(pairs.size());
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
     const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    found[i] = query(p.polygon, pathBeside(first, second), q.polygon, pathBeside(second, first), both);
+    found[i] = query(p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
   });
   for (std::size_t i = 0; i < pairs.size(); ++i) report(pairs[i], found[i]);
+}
+
+detail::TimedBody timed(const BodyTrajectory& moving, const ImpactOptions& options) {
+  return {moving.trajectory, moving.absent_outside || options.absent_outside};
+}
+
+std::optional<Impact> impactOf(const Polygon& p, const BodyMotion& moving_p, const Polygon& q,
+                               const BodyMotion& moving_q, const ImpactOptions& options) {
+  return timeOfImpact(p, moving_p.motion, q, moving_q.motion, options);
+}
+std::optional<Impact> impactOf(const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
+                               const BodyTrajectory& moving_q, const ImpactOptions& options) {
+  return detail::timeOfImpact(p, timed(moving_p, options), q, timed(moving_q, options), options);
 }
 
 template <typename Moving>
@@ -284,7 +298,7 @@ std::vector<PairImpact> impactsOf(const std::vector<Moving>& motions, const char
                                   const ImpactOptions& options, const Parallel& parallel) {
   std::vector<PairImpact> impacts;
   queryPairs<std::optional<Impact>>(
-      motions, name, state, options, parallel, [](const auto&... operands) { return timeOfImpact(operands...); },
+      motions, name, state, options, parallel, [](const auto&... operands) { return impactOf(operands...); },
       [&](const BodyPair& pair, const std::optional<Impact>& impact) {
         if (impact) impacts.push_back({pair, *impact});
       });
@@ -317,7 +331,10 @@ std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& tr
   std::vector<PairConflict> all;
   queryPairs<std::vector<Conflict>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](const auto&... operands) { return tricover::conflicts(operands...); },
+      [](const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q, const BodyTrajectory& moving_q,
+         const ImpactOptions& both) {
+        return detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both);
+      },
       [&](const BodyPair& pair, const std::vector<Conflict>& found) {
         for (const Conflict& conflict : found) all.push_back({pair, conflict});
       });

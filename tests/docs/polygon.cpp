@@ -42,6 +42,10 @@ TEST(Documentation, PolygonMeasures) {
   EXPECT_EQ(frame.bounds().max(), tricover::Vec2(4, 4));
   EXPECT_FALSE(frame.isConvex());
   EXPECT_EQ(frame.translated({1, 0}).scaled(0.5).bounds().min(), tricover::Vec2(0.5, 0));
+  EXPECT_EQ(frame.transformed(tricover::pose(5, 0)).bounds().max(), tricover::Vec2(9, 4));
+  const Eigen::AlignedBox2d around = frame.bounds(tricover::pose(5, 0));  // but for rounding, outwards
+  EXPECT_TRUE(around.contains(tricover::Vec2(9, 4)));
+  EXPECT_NEAR(around.max().x(), 9, 1e-14);
   //! [measures]
 }
 

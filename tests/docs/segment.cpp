@@ -42,4 +42,12 @@ TEST(Documentation, Segment) {
   //! [segment]
 }
 
+TEST(Documentation, Box) {
+  //! [box]
+  const tricover::Polygon pallet = tricover::box(1.2, 0.8);
+  EXPECT_EQ(pallet.bounds().min(), tricover::Vec2(-0.6, -0.4));
+  EXPECT_TRUE(tricover::collide(pallet, tricover::pose(0, 0), pallet, tricover::pose(1.2, 0)));  // side by side
+  //! [box]
+}
+
 }  // namespace
