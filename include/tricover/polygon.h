@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <type_traits>
 #include <vector>
 
@@ -46,7 +47,10 @@ class TRICOVER_EXPORT Polygon {
   /// fewer than three vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more
   /// counted for each ring).
   explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
-  /// Makes a polygon from one ring. A template, so that braces still mean a vector of rings. Throws likewise.
+  /// Makes a polygon from rings in braces. Throws likewise.
+  explicit Polygon(std::initializer_list<Ring> rings, FillRule fill = FillRule::EvenOdd)
+      : Polygon(std::vector<Ring>(rings), fill) {}
+  /// Makes a polygon from one ring. (A template, so that braces mean rings.) Throws likewise.
   template <typename OneRing, std::enable_if_t<std::is_same_v<OneRing, Ring>, int> = 0>
   explicit Polygon(const OneRing& ring, FillRule fill = FillRule::EvenOdd) : Polygon(ring.data(), ring.size(), fill) {}
   /// Makes a polygon from one ring of `count` contiguous vertices, which it copies. Cheaper than Polygon({ring}).

@@ -155,9 +155,9 @@ Polygon anyShape(Random& random, const char*& family, const Limits& limits) {
 }
 
 Pose anyRotation(Random& random) {
-  Pose result = pose(random.integer(0, 3) * kTurn / 4, 0, 0);
+  Pose result = support::pose(random.integer(0, 3) * kTurn / 4, 0, 0);
   if (random.oneIn(4)) result = Pose::Identity();
-  if (random.coin()) result = pose(random.real(0, kTurn), 0, 0);
+  if (random.coin()) result = support::pose(random.real(0, kTurn), 0, 0);
   if (random.oneIn(4)) result = mirrored(result);
   if (random.oneIn(5)) result = throughFloat(result);
   if (random.oneIn(5)) result = distorted(random, result);
