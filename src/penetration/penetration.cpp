@@ -185,8 +185,8 @@ Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& h
 
 /// Beside the inner of an edge the normal is the edge's, which is known better than the way between points that are
 /// near. Where that is nothing but rounding, b's S tells the side.
-NearestContact nearestContact(const PosedPair& pair) {
-  const DistanceResult nearest = distanceInOrder(PosedVertices(pair), {});
+NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query) {
+  const DistanceResult nearest = distanceInOrder(PosedVertices(pair), query);
   const auto position = [](const PolygonData& polygon, EdgeIndex edge) {
     return polygon.edgePosition(static_cast<std::size_t>(edge));
   };

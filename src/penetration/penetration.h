@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "distance/options.h"
 #include "pair/world_frame.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
@@ -17,7 +18,7 @@ struct NearestContact {
   Vec2 normal;
 };
 
-NearestContact nearestContact(const PosedPair& pair);
+NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query = {});
 
 /// So many translations are tried at most.
 constexpr std::size_t kMostTranslations = 20000;

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "tricover/collide.h"
+#include "tricover/segment.h"
+#include "tricover/signed_distance.h"
 
 namespace {
 
@@ -30,6 +32,20 @@ TEST(Documentation, Penetration) {
   EXPECT_EQ(tricover::penetration(square, still, square, pose)->depth, 0);
   EXPECT_FALSE(tricover::penetration(square, still, square, pose, inner).has_value());
   //! [penetration]
+}
+
+TEST(Documentation, SignedDistance) {
+  //! [signed distance]
+  const tricover::Polygon square = tricover::box(4, 4);
+  const tricover::SignedDistance apart =
+      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(5, 0));
+  EXPECT_EQ(apart.distance, 1);
+  EXPECT_EQ(apart.normal, tricover::Vec2(1, 0));
+  const tricover::SignedDistance deep =
+      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(3, 1));
+  EXPECT_NEAR(deep.distance, -1, 1e-12);
+  EXPECT_NEAR(deep.normal.x(), 1, 1e-12);
+  //! [signed distance]
 }
 
 TEST(Documentation, PenetrationWithCache) {

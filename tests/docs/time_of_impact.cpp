@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "tricover/conflicts.h"
+#include "tricover/least_distance.h"
+#include "tricover/segment.h"
 
 namespace {
 
@@ -53,6 +56,18 @@ TEST(Documentation, Conflicts) {
   EXPECT_EQ(tricover::timeOfImpact(walls, still, square, leaves)->time, 0);
   EXPECT_NEAR(tricover::timeOfImpact(walls, still, square, leaves, later)->time, 0.2, 1e-5);
   //! [conflicts]
+}
+
+TEST(Documentation, LeastDistance) {
+  //! [least distance]
+  // A robot passes a corner of a shelf.
+  const tricover::Polygon robot = tricover::box(1, 1), shelf = tricover::box(2, 2);
+  const tricover::LeastDistance least =
+      tricover::leastDistance(shelf, tricover::Motion::still(tricover::pose(0, 0)), robot,
+                              tricover::Motion::translation(tricover::pose(-3, 3), {6, -1}));
+  EXPECT_NEAR(least.distance, 4.5 / std::sqrt(37), 2e-6);  // of its lower left corner from the shelf's upper right one
+  EXPECT_GE(least.distance, least.lower_bound);
+  //! [least distance]
 }
 
 }  // namespace
