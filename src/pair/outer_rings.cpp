@@ -53,7 +53,7 @@ struct Triangle {
     Pose sum = Pose::Identity();
     sum.matrix().topRows<2>() << 0.25 * q, 0.25 * r, 0.5 * p;
     const double error = 4 * kUnitRoundoff * (p.lpNorm<1>() + q.lpNorm<1>() + r.lpNorm<1>()) + kTiny;
-    return locateInPolygon(polygon, {nullptr, {middle.x(), middle.y(), error}, {&sum, Vec2(1, 1)}, 1}) !=
+    return locateInPolygon(polygon, {nullptr, {middle.x(), middle.y(), error}, {&sum, Vec2(1, 1)}}) !=
            Location::Outside;
   }
 
