@@ -38,7 +38,7 @@ class InnerCrossings {
  public:
   /// crossings: all of the pair's.
   InnerCrossings(const PosedPair& pair, const std::vector<EdgeCrossing>& crossings)
-      : pair_(pair), back_(pair.b, pair.pose_b, pair.a, pair.pose_a) {
+      : pair_(pair), sides_(PosedRegions(pair)) {
     for (const EdgeCrossing& c : crossings) {
       met_[EdgeSides::A][c.edge[0]].push_back(c.edge[1]);
       met_[EdgeSides::B][c.edge[1]].push_back(c.edge[0]);
@@ -47,7 +47,8 @@ class InnerCrossings {
 
   /// Whether it is at this crossing.
   bool has(const EdgeCrossing& c) {
-    return of(EdgeSides::A, c.edge[0]).bordersBothAt(c.edge[1]) || of(EdgeSides::B, c.edge[1]).bordersBothAt(c.edge[0]);
+    return crossAlone(pair_, c.edge[0], c.edge[1]) || sides_.of(EdgeSides::A, c.edge[0]).bordersBothAt(c.edge[1]) ||
+           sides_.of(EdgeSides::B, c.edge[1]).bordersBothAt(c.edge[0]);
   }
   /// Whether it is at a vertex inside the other region, or along its edges as far as they lead without meeting the
   /// other polygon's edges.
@@ -59,19 +60,12 @@ class InnerCrossings {
  private:
   bool hasBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
     const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
-    return of(operand, edge).bordersBothUntil(met_[operand][edge], 1) ||
-           of(operand, last).bordersBothUntil(met_[operand][last], -1);
+    return sides_.of(operand, edge).bordersBothUntil(met_[operand][edge], 1) ||
+           sides_.of(operand, last).bordersBothUntil(met_[operand][last], -1);
   }
-  const EdgeSides& of(EdgeSides::Operand operand, std::size_t edge) {
-    const auto known = known_[operand].find(edge);
-    if (known != known_[operand].end()) return known->second;
-    return known_[operand].emplace(edge, EdgeSides(pair_, back_, operand, edge)).first->second;
-  }
-
   const PosedPair& pair_;
-  const PosedPair back_;
   std::map<std::size_t, std::vector<std::size_t>> met_[2];  ///< by edge: the other polygon's edges that it meets
-  std::map<std::size_t, EdgeSides> known_[2];
+  KnownSides sides_;
 };
 
 }  // namespace tricover::detail

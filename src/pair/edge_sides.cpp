@@ -5,33 +5,100 @@
 #include <cmath>
 
 #include "hierarchy/simd.h"
+#include "pair/root_box.h"
 #include "polygon/covering.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 
 namespace {
 
-/// On which side of the first edge's line an end of the other one is: 0 at once for an end that both have.
-int sideOf(const FourEnds& ends, int end) {
-  const Vec2 *edge = ends.first.ends, &p = ends.second.ends[end - 2];
-  if (ends.first.pose == ends.second.pose && (p == edge[0] || p == edge[1])) return 0;
-  return ends.sign(0, 1, end);
+bool areOne(const PosedPoint& p, const PosedPoint& q) { return p.pose == q.pose && p.local == q.local; }
+
+bool isSame(const SeenPoint& p, const SeenPoint& q) {
+  const ApproxPoint &x = p.approx, &y = q.approx;
+  if (std::max(std::abs(x.x - y.x), std::abs(x.y - y.y)) > 2 * (x.error + y.error)) return false;
+  return areOne(p.exact, q.exact) || (compareExact(p.exact, q.exact, 0) == 0 && compareExact(p.exact, q.exact, 1) == 0);
+}
+
+/// The sign of the signed area |p q r|. Exact.
+int sign(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
+  const int sign = orientFilter(p.approx, q.approx, r.approx);
+  if (sign != kUncertain) return sign;
+  const PosedPoint &x = p.exact, &y = q.exact, &z = r.exact;
+  return areOne(x, y) || areOne(y, z) || areOne(x, z) ? 0 : orientExact(x, y, z);
+}
+
+/// Whether p, on the line of q and r, is between them or one of them. Exact.
+bool isBetween(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
+  const ApproxPoint &x = p.approx, &y = q.approx, &z = r.approx;
+  const double error = 2 * (x.error + std::max(y.error, z.error));
+  const auto tell = [&](double to_q, double to_r) {
+    if (std::max(to_q, to_r) < -error || std::min(to_q, to_r) > error) return -1;
+    return std::min(to_q, to_r) < -error && std::max(to_q, to_r) > error ? 1 : 0;
+  };
+  const int in_x = tell(y.x - x.x, z.x - x.x), in_y = tell(y.y - x.y, z.y - x.y);
+  if (in_x != 0 || in_y != 0) return in_x >= 0 && in_y >= 0;
+  return areOne(p.exact, q.exact) || areOne(p.exact, r.exact) || betweenExact(p.exact, q.exact, r.exact);
+}
+
+/// Calls visit(edge), a position, for every edge that may meet the segment between two points, in units, either wrong
+/// by `error` in any direction.
+template <typename Visit>
+void forEachEdgeBetween(const PolygonData& polygon, const Vec2& from, const Vec2& to, double error, Visit visit) {
+  const Vec2 way = to - from;
+  const double length = way.norm(), room = error + 0x1p-48 * (from.lpNorm<1>() + length + 4);
+  if (!(polygon.fitsUnit() && room < 0x1p-4 && length < 0x1p1000)) {
+    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge) visit(edge);
+    return;
+  }
+  Ray ray{from.x(), from.y(), 1, 0, room, length};
+  if (length > 0x1p-400) ray.dx = way.x() / length, ray.dy = way.y() / length;
+  const auto call = [](void* context, std::uint32_t edge) {
+    (*static_cast<Visit*>(context))(edge);
+    return true;
+  };
+  visitEdgesOnRay(hierarchyOf(polygon), ray, call, &visit);
+}
+
+/// A point, in units, outside of the box around everything: from `at` towards the nearest side, askew, so that the way
+/// from there is hardly along edges.
+Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
+  const double far = 0x1p-6 + 0x1p-48 * polygon.extent * polygon.inverse_unit;
+  if (!polygon.fitsUnit() || !(at.lpNorm<1>() < 0x1p10)) return {8, 3};
+  const Box& root = topOf(polygon).root;
+  const Vec2 axis(root.ux, root.uy), from = at - Vec2(root.x, root.y), normal(-axis.y(), axis.x());
+  const double along = from.dot(axis), across = from.dot(normal);
+  const double room_along = root.along - std::abs(along), room_across = root.across - std::abs(across);
+  const Vec2 out = room_along < room_across ? Vec2(std::copysign(1, along) * axis) : std::copysign(1, across) * normal;
+  const double length = std::max(std::min(room_along, room_across), 0.0) + far;
+  return at + length * (out + 0.38 * Vec2(-out.y(), out.x()));
 }
 
 }  // namespace
 
-FourEnds EdgeSides::endsWith(Operand operand, std::size_t edge) const {
-  return {{approx(operand_, edge_), approx(operand_, edge_ + 1), approx(operand, edge), approx(operand, edge + 1)},
-          segment(operand_, edge_),
-          segment(operand, edge)};
+/// Wrong as the pair's points are, which this one may be beyond.
+ApproxPoint PosedRegions::approx(std::size_t i, const Vec2& p) const {
+  const PosedPair& pair = pairs_[i == 0 ? 0 : i - 1];
+  const ApproxPoint at = i == 0 ? pair.fromA(p) : pair.fromB(p);
+  return {at.x, at.y, PosedPair::kErrorOfB * (pair.size() + p.lpNorm<1>()) * (1 + 8 * kUnitRoundoff) + kTiny};
 }
 
-EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge)
-    : pair_(pair), operand_(operand), edge_(edge) {
-  const Path& path = polygon(operand).path;
+ApproxPoint PosedRegions::inFrame(std::size_t i, std::size_t of, std::size_t position) const {
+  const Vec2& p = polygon(of).path[position];
+  if (i == of) return {p.x(), p.y(), 0};
+  return seenFromA({polygon(i), pose(i), polygon(of), pose(of)}, p).approx;
+}
+
+EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before)
+    : regions_(regions), operand_(operand), edge_(edge) {
+  const Path& path = regions.polygon(operand).path;
   if (path[edge] == path[edge + 1]) return;
-  findCuts(A, pair);
-  findCuts(B, back);
+  v_ = regions.at(operand, edge);
+  w_ = regions.at(operand, edge + 1);
+  windings_.resize(regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) findCuts(i, before);
   std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
   look(kNone, cuts_.empty() ? kNone : 0);
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
@@ -42,55 +109,77 @@ EdgeSides::EdgeSides(const PosedPair& pair, const PosedPair& back, Operand opera
   }
 }
 
-/// Of one polygon, `seen` from its frame: those of its edges that may meet the ray from w through v.
-///
-/// Error, in units, with e what w and v err by in any direction, l their distance and |w| the norm of w: nothing of the
-/// polygon is farther from w than |w| + 1, where the ray's direction, wrong by 2 e / l and a few roundings, is off by
-/// 2 e (|w| + 1) / l. Twice that is taken.
-void EdgeSides::findCuts(Operand operand, const PosedPair& seen) {
-  const PolygonData& of = polygon(operand);
-  const auto place = [&](std::size_t position) {
-    const Vec2& p = polygon(operand_).path[position];
-    return operand == operand_ ? ApproxPoint{p.x(), p.y(), 0} : seenFromA(seen, p).approx;
-  };
-  const ApproxPoint v = place(edge_), w = place(edge_ + 1);
-  const Vec2 from = of.inUnits({w.x, w.y}), way = of.inUnits({v.x, v.y}) - from;
-  const double length = way.norm(), far = from.lpNorm<1>() + 4;
-  const double error = 1.5 * std::max(v.error, w.error) * of.inverse_unit + 0x1p-48 * (far + length);
-  const double error_of_ray = error * (2 + 4 * far / length);
-  if (of.fitsUnit() && error_of_ray < 0x1p-4 && length < 0x1p1000) {
-    const Ray ray{from.x(), from.y(), way.x() / length, way.y() / length, error_of_ray};
-    struct To {
-      EdgeSides& sides;
-      Operand operand;
-    } to{*this, operand};
-    const auto visit = [](void* context, std::uint32_t edge) {
-      const To& found = *static_cast<const To*>(context);
-      return found.sides.add(found.operand, edge), true;
-    };
-    visitEdgesOnRay(hierarchyOf(of), ray, visit, &to);
-    return;
+/// Of one polygon.
+void EdgeSides::findCuts(std::size_t operand, const EdgeSides* before) {
+  const PolygonData& polygon = regions_.polygon(operand);
+  const ApproxPoint v = regions_.inFrame(operand, operand_, edge_), w = regions_.inFrame(operand, operand_, edge_ + 1);
+  const Vec2 at_v = polygon.inUnits({v.x, v.y}), at_w = polygon.inUnits({w.x, w.y});
+  Way way;
+  if (before != nullptr) {
+    way.from = before->v_;
+    way.winding = before->windings_[operand].right;
+  } else {
+    leadFromOutside(way, operand, at_v, 1.5 * v.error * polygon.inverse_unit);
   }
-  for (std::size_t ring = 0; ring < of.ringCount(); ++ring)
-    for (std::size_t edge = of.edgeBegin(ring); edge < of.edgeEnd(ring); ++edge) add(operand, edge);
+  windings_[operand] = {way.winding, way.winding};
+  forEachEdgeBetween(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit,
+                     [&](std::size_t edge) { add(operand, edge, way); });
+}
+
+/// v is `at`, in units of the polygon, but for an error in any direction. The way begins at a point of its frame: an
+/// eighth of it doesn't overflow.
+void EdgeSides::leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const {
+  const PolygonData& polygon = regions_.polygon(operand);
+  way.from = w_;
+  if (polygon.isDegenerate()) return;  // nothing winds around a point
+  if (polygon.fitsUnit() && distanceFromRoot(topOf(polygon).root, {at.x(), at.y(), error}) > 0) return;
+  const Vec2 begin = outsideBeside(polygon, at);
+  const Vec2 eighth = 0.125 * polygon.origin + 0.125 * polygon.unit * begin;
+  way.pose = regions_.pose(operand);
+  way.pose.matrix().topLeftCorner<2, 2>() *= 8;
+  way.from = {regions_.approx(operand, 8 * eighth), {&way.pose, eighth}};
+  const double room = error + 0x1p-48 * polygon.extent * polygon.inverse_unit;
+  forEachEdgeBetween(polygon, begin, at, room, [&](std::size_t edge) {
+    const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
+    const int of_q = sign(way.from, v_, q), of_r = sign(way.from, v_, r);
+    if ((of_q < 0) == (of_r < 0)) return;
+    const int slant = of_q < 0 ? 1 : -1;
+    if (sign(q, r, v_) * slant < 0 && sign(q, r, way.from) * slant > 0) way.winding -= slant;
+  });
 }
 
 /// With u from v to w, d along the other edge from q to r, and D = |u d|, that edge's line meets this one's at
 ///   s     = |q r v| / D,
 ///   s - 1 = |q r w| / D,
 /// and D has the sign of what r is to the left of q by. The way goes from the left of d to its right where D > 0.
-void EdgeSides::add(Operand operand, std::size_t edge) {
-  const FourEnds ends = endsWith(operand, edge);
-  const int q = sideOf(ends, 2), r = sideOf(ends, 3);
-  if (q == r || q * r > 0) return;
-  const int slant = r > q ? 1 : -1;
-  if (ends.sign(2, 3, 1) * slant >= 0) return;
-  Cut cut{ends.second, operand, static_cast<std::int8_t>(-slant), q > 0 || r > 0, q < 0 || r < 0, 0, 1};
-  if (ends.sign(2, 3, 0) * slant <= 0) return windings_[operand].add(cut);
+void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
+  const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
+  const int of_q = sign(v_, w_, q), of_r = sign(v_, w_, r);
+  if (of_q * of_r > 0) return;
+  if (of_q == 0 && of_r == 0) {
+    if (!isBetween(v_, q, r)) return;
+    if (!isSame(v_, q)) pass(operand, way, q, 0, -1);
+    if (!isSame(v_, r)) pass(operand, way, r, 0, 1);
+    return;
+  }
+  const int slant = of_r > of_q ? 1 : -1, at_v = sign(q, r, v_) * slant;
+  if (at_v < 0) return;
+  if (at_v == 0) {
+    if (of_q != 0) pass(operand, way, q, of_q, -1);
+    if (of_r != 0) pass(operand, way, r, of_r, 1);
+    return;
+  }
+  if (sign(q, r, w_) * slant >= 0) return;
+  Cut cut{{&regions_.pose(operand), &regions_.polygon(operand).path[edge]},
+          operand,
+          static_cast<std::int8_t>(-slant),
+          of_q > 0 || of_r > 0,
+          of_q < 0 || of_r < 0,
+          0,
+          1};
   // Of x / (x + y), with x and y wrong by their bounds, at most the sum of both divided by x + y, but for the latter's
   // error: twice.
-  const ApproxPoint* e = ends.approx;
-  const ApproxArea of_v = approxArea(e[2], e[3], e[0]), of_w = approxArea(e[2], e[3], e[1]);
+  const ApproxArea of_v = approxArea(q.approx, r.approx, v_.approx), of_w = approxArea(q.approx, r.approx, w_.approx);
   const double whole = std::abs(of_v.area - of_w.area), bound = of_v.bound + of_w.bound;
   if (whole > 4 * bound && whole < 0x1p1000) {
     const double place = std::abs(of_v.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
@@ -100,55 +189,124 @@ void EdgeSides::add(Operand operand, std::size_t edge) {
   cuts_.push_back(cut);
 }
 
+/// An edge leaves v for `end` (turn 1), or comes from there (-1), which is on that side of v w: counter-clockwise
+/// around v it may be passed before v w, or be along that.
+void EdgeSides::pass(std::size_t operand, Way& way, const SeenPoint& end, int side, int turn) {
+  Windings& beside = windings_[operand];
+  if (way.course == kUncertain) {
+    way.course = sign(v_, way.from, w_);
+    way.leads_back = way.course == 0 && !isBetween(v_, way.from, w_);
+  }
+  const auto isAhead = [&] { return !isBetween(v_, end, w_); };
+  bool is_passed, is_along;
+  if (way.leads_back) {  // v w is the last one around v, and the first
+    if (side != 0 || !isAhead()) beside.right += turn;
+    return;
+  }
+  if (way.course == 0) {
+    is_along = side == 0 && isAhead();
+    is_passed = side < 0;
+  } else {
+    const int from_way = sign(v_, way.from, end);
+    is_along = side == 0 && from_way == way.course;
+    is_passed = way.course > 0 ? from_way > 0 && side < 0 : !is_along && (from_way > 0 || side < 0);
+  }
+  if (is_passed) beside.right += turn;
+  if (is_passed || is_along) beside.left += turn;
+}
+
 bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   if (p.high < q.low) return true;
   if (q.high < p.low) return false;
-  return compareFractionsExact(segment(operand_, edge_), p.edge, q.edge) < 0;
+  const PosedSegment edge{&regions_.pose(operand_), &regions_.polygon(operand_).path[edge_]};
+  return compareFractionsExact(edge, p.edge, q.edge) < 0;
+}
+
+EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
+  const FillRule fill = regions_.polygon(operand).fill;
+  return {isInside(fill, windings_[operand].left), isInside(fill, windings_[operand].right)};
 }
 
 /// At the current piece.
 void EdgeSides::look(std::size_t begin, std::size_t end) {
-  bool left[2], right[2];
-  for (const Operand operand : {A, B}) {
-    left[operand] = isInside(polygon(operand).fill, windings_[operand].left);
-    right[operand] = isInside(polygon(operand).fill, windings_[operand].right);
+  const Sides first = insides(0);
+  Sides others{false, false};
+  for (std::size_t i = 1; i < regions_.size(); ++i) {
+    const Sides other = insides(i);
+    others.left |= other.left;
+    others.right |= other.right;
   }
-  const Operand other = operand_ == A ? B : A;
-  if ((left[A] && left[B]) || (right[A] && right[B])) bordering_.push_back({begin, end});
-  if (left[operand_] || right[operand_]) return;
+  const bool sought = regions_.sought() == PosedRegions::Inside;
+  if ((first.left && others.left == sought) || (first.right && others.right == sought))
+    bordering_.push_back({begin, end});
+  const Sides own = insides(operand_), other = operand_ == A ? others : first;
+  if (own.left || own.right) return;
   is_bare_ = true;
-  is_bare_inside_ |= left[other] && right[other];
+  is_bare_inside_ |= other.left && other.right;
 }
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
 /// Of an edge along the line each end is on it, at t: with c the cut's edge, the cut is at t + |c t| / D.
-bool EdgeSides::isBeyond(const FourEnds& ends, const Cut& cut, int side) const {
-  if (sideOf(ends, 2) != 0 || sideOf(ends, 3) != 0) {
-    const Cut at{ends.second, A, 0, false, false, 0, 1};  // as isBefore() sees it
+bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
+  const std::size_t operand = operand_ == A ? B : A;
+  const SeenPoint ends[] = {regions_.at(operand, edge), regions_.at(operand, edge + 1)};
+  if (sign(v_, w_, ends[0]) != 0 || sign(v_, w_, ends[1]) != 0) {
+    // As isBefore() sees it.
+    const Cut at{{ends[0].exact.pose, &regions_.polygon(operand).path[edge]}, operand, 0, false, false, 0, 1};
     return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
   }
-  const auto isEndBeyond = [&](int end) {
-    const int sign = orientExact(cut.edge[0], cut.edge[1], ends.exact(end));
-    return sign * -cut.turn * side < 0;
-  };
-  return isEndBeyond(2) && isEndBeyond(3);
+  return std::all_of(std::begin(ends), std::end(ends), [&](const SeenPoint& end) {
+    return orientExact(cut.edge[0], cut.edge[1], end.exact) * -cut.turn * side < 0;
+  });
 }
 
 bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
   return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
     const std::size_t cut = side > 0 ? piece.begin : piece.end;
-    return cut == kNone || std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) {
-             return isBeyond(endsWith(operand_ == A ? B : A, edge), cuts_[cut], -side);
-           });
+    return cut == kNone || std::none_of(edges.begin(), edges.end(),
+                                        [&](std::size_t edge) { return isBeyond(edge, cuts_[cut], -side); });
   });
 }
 
 bool EdgeSides::bordersBothAt(std::size_t edge) const {
-  const FourEnds ends = endsWith(operand_ == A ? B : A, edge);
   return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
-    return !(piece.begin != kNone && isBeyond(ends, cuts_[piece.begin], -1)) &&
-           !(piece.end != kNone && isBeyond(ends, cuts_[piece.end], 1));
+    return !(piece.begin != kNone && isBeyond(edge, cuts_[piece.begin], -1)) &&
+           !(piece.end != kNone && isBeyond(edge, cuts_[piece.end], 1));
   });
+}
+
+const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
+  std::map<std::size_t, EdgeSides>& known = known_[operand];
+  const auto place = known.lower_bound(edge);
+  if (place != known.end() && place->first == edge) return place->second;
+  const EdgeSides* before = ifKnown(operand, edgesAt(regions_.polygon(operand), edge).before);
+  return known.emplace_hint(place, edge, EdgeSides(regions_, operand, edge, before))->second;
+}
+
+bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
+  if (crossingDirection(pair, i, j) == 0) return false;
+  const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
+  const ApproxPoint q = pair.fromB(pair.b.path[j]), r = pair.fromB(pair.b.path[j + 1]);
+  // See EdgeSides::add(). The path of units errs by few U.
+  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, ApproxArea from, ApproxArea to) {
+    const double whole = std::abs(from.area - to.area), bound = from.bound + to.bound;
+    if (!(polygon.fitsUnit() && whole > 4 * bound && whole < 0x1p1000)) return false;
+    const double along = std::abs(from.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
+    const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
+    const Vec2 at = begin + along * way;
+    struct Context {
+      const Path& path;
+      std::size_t edge;
+    } context{polygon.path, edge};
+    const auto isOther = [](const void* of, std::size_t found) {
+      const Context& c = *static_cast<const Context*>(of);
+      return found != c.edge && c.path[found] != c.path[found + 1];
+    };
+    const Place place{at.x(), at.y(), error * way.lpNorm<1>() + 0x1p-48};
+    return !findEdgeNear(hierarchyOf(polygon), place, 0, {&context, isOther, 0, -1}).hit;
+  };
+  return isAlone(pair.a, i, approxArea(q, r, v), approxArea(q, r, w)) &&
+         isAlone(pair.b, j, approxArea(v, w, q), approxArea(v, w, r));
 }
 
 }  // namespace tricover::detail

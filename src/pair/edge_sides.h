@@ -3,31 +3,70 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
-#include "pair/four_ends.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
 
-/// What both regions have beside one edge of a pair, piece by piece: the edge is cut where others meet its line, and
-/// beside a piece both windings are constant.
+/// A point as filters see it, and as it is.
+struct SeenPoint {
+  ApproxPoint approx;
+  PosedPoint exact;
+};
+
+/// Posed polygons, which the first one's translation sees: two, or one and many others.
+class PosedRegions {
+ public:
+  /// What is sought beside the inside of the first: the inside of another one, or that no other one has it there.
+  enum Others { Inside, Outside };
+
+  explicit PosedRegions(const PosedPair& pair) : pairs_{pair} {}
+  /// The first with each of the others.
+  PosedRegions(std::vector<PosedPair> pairs, Others sought) : pairs_(std::move(pairs)), sought_(sought) {}
+
+  std::size_t size() const { return pairs_.size() + 1; }
+  const PolygonData& polygon(std::size_t i) const { return i == 0 ? pairs_[0].a : pairs_[i - 1].b; }
+  const Pose& pose(std::size_t i) const { return i == 0 ? pairs_[0].pose_a : pairs_[i - 1].pose_b; }
+  Others sought() const { return sought_; }
+
+  /// A vertex, by its position in the path.
+  SeenPoint at(std::size_t i, std::size_t position) const {
+    const Vec2& p = polygon(i).path[position];
+    return {i == 0 ? pairs_[0].fromA(p) : pairs_[i - 1].fromB(p), {&pose(i), p}};
+  }
+  /// Any point of a polygon's frame.
+  ApproxPoint approx(std::size_t i, const Vec2& p) const;
+  /// A vertex of `of` in the frame of i.
+  ApproxPoint inFrame(std::size_t i, std::size_t of, std::size_t position) const;
+
+ private:
+  std::vector<PosedPair> pairs_;
+  Others sought_ = Inside;
+};
+
+/// What regions have beside one edge of theirs, piece by piece: the edge is cut where others meet its line, and beside
+/// a piece all windings are constant.
 ///
-/// Beside the edge from v to w, on its left, leads a way from far away, where the winding number is 0, through v to w.
-/// It crosses every edge that ends in, or crosses, the line from the left, at the place s where that edge's line does,
-/// from 0 at v to 1 at w. An edge to the left or right of which the way is led doesn't count while it is on the line.
-/// So the winding number beside a place is the sum over the edges that are crossed before it, and nothing else has to
-/// be known of the edges that are on the line, or end in one point of it, but on which side their ends are.
+/// To the edge from v to w leads a way from where the winding number is known on its right: the edge before, or a way
+/// from outside. Around v, counter-clockwise from that way back, edges leave v, or come to it: each that is passed
+/// before v w adds to the winding numbers beside v w, on its left and right, and one along v w to the left alone. From
+/// v to w each edge that ends in, or crosses, the line from the left adds where its line does, at the place s from 0 at
+/// v to 1 at w. An edge to the left or right of which the way is led doesn't count while it is on the line. Nothing
+/// else has to be known of edges on the line, or that end in one point of it, but on which side their ends are.
 class EdgeSides {
  public:
-  enum Operand { A = 0, B = 1 };
+  enum Operand : std::size_t { A = 0, B = 1 };
 
-  /// `back` is the pair with its operands swapped.
-  EdgeSides(const PosedPair& pair, const PosedPair& back, Operand operand, std::size_t edge);
+  /// `before`: the sides of the edge that ends where this one begins, if they are known.
+  EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before = nullptr);
 
-  /// Whether beside some piece of it, on one side, both regions have their inside.
+  /// Whether beside some piece of it, on one side, is what is sought: both regions' inside, or the first one's alone.
   bool bordersBoth() const { return !bordering_.empty(); }
-  /// Whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other operand's.
+  /// Of a pair: whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other
+  /// operand's.
   bool bordersBothAt(std::size_t edge) const;
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
@@ -41,47 +80,75 @@ class EdgeSides {
   /// Where another edge leaves the line or comes to it.
   struct Cut {
     PosedSegment edge;
-    Operand operand;
+    std::size_t operand;
     std::int8_t turn;  ///< what it adds to the winding number of its polygon, as the way crosses it
     bool on_left, on_right;
     double low, high;  ///< of its place
   };
   struct Windings {
-    int left = 0, right = 0;
     void add(const Cut& cut) {
       if (cut.on_left) left += cut.turn;
       if (cut.on_right) right += cut.turn;
     }
+    int left = 0, right = 0;
+  };
+  struct Sides {
+    bool left, right;
+  };
+  /// A place from which the way comes straight to v, and the winding number on its right at v.
+  struct Way {
+    Pose pose;  ///< of its begin, where that is no vertex
+    SeenPoint from;
+    int winding = 0;
+    int course = kUncertain;  ///< the side of v from on which w is, once it is known
+    bool leads_back = false;  ///< whether w is straight back
   };
 
-  const PolygonData& polygon(Operand operand) const { return operand == A ? pair_.a : pair_.b; }
-  PosedSegment segment(Operand operand, std::size_t edge) const {
-    return {operand == A ? &pair_.pose_a : &pair_.pose_b, &polygon(operand).path[edge]};
-  }
-  ApproxPoint approx(Operand operand, std::size_t position) const {
-    return operand == A ? pair_.fromA(pair_.a.path[position]) : pair_.fromB(pair_.b.path[position]);
-  }
-
-  /// The ends of the edge, 0 and 1, and of another one, 2 and 3.
-  FourEnds endsWith(Operand operand, std::size_t edge) const;
-  void findCuts(Operand operand, const PosedPair& seen);
-  void add(Operand operand, std::size_t edge);
+  void findCuts(std::size_t operand, const EdgeSides* before);
+  void leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const;
+  void add(std::size_t operand, std::size_t edge, Way& way);
+  void pass(std::size_t operand, Way& way, const SeenPoint& end, int side, int turn);
   bool isBefore(const Cut& p, const Cut& q) const;
-  bool isBeyond(const FourEnds& ends, const Cut& cut, int side) const;
+  bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
+  Sides insides(std::size_t operand) const;
   void look(std::size_t begin, std::size_t end);
 
-  const PosedPair& pair_;
-  const Operand operand_;
-  const std::size_t edge_;
-  Windings windings_[2];   ///< beside the current piece
-  std::vector<Cut> cuts_;  ///< between v and w, in order
+  const PosedRegions& regions_;
+  const std::size_t operand_, edge_;
+  SeenPoint v_, w_;
+  std::vector<Windings> windings_;  ///< by operand, beside the current piece, at last at w
+  std::vector<Cut> cuts_;           ///< between v and w, in order
   /// By a cut at its begin and one at its end; kNone at v and w.
   struct Piece {
     std::size_t begin, end;
   };
   static constexpr std::size_t kNone = ~std::size_t{0};
-  std::vector<Piece> bordering_;  ///< pieces beside which, on one side, both regions have their inside
+  std::vector<Piece> bordering_;  ///< pieces beside which, on one side, is what is sought
   bool is_bare_ = false, is_bare_inside_ = false;
 };
+
+/// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.
+class KnownSides {
+ public:
+  explicit KnownSides(PosedRegions regions) : regions_(std::move(regions)), known_(regions_.size()) {}
+  KnownSides(const KnownSides&) = delete;
+  KnownSides& operator=(const KnownSides&) = delete;
+
+  const EdgeSides* ifKnown(std::size_t operand, std::size_t edge) const {
+    const auto known = known_[operand].find(edge);
+    return known != known_[operand].end() ? &known->second : nullptr;
+  }
+  const EdgeSides& of(std::size_t operand, std::size_t edge);
+
+  const PosedRegions& regions() const { return regions_; }
+
+ private:
+  const PosedRegions regions_;
+  std::vector<std::map<std::size_t, EdgeSides>> known_;  ///< by operand
+};
+
+/// Whether the filters prove that two edges of a pair cross, each with no other edge of its polygon there. Then both
+/// regions have their inside in one of the four quadrants: the windings beside each edge differ by 1.
+bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j);
 
 }  // namespace tricover::detail

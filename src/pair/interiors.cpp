@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair/interiors.h"
 
-#include <set>
 #include <utility>
 
 #include "hierarchy/simd.h"
@@ -25,7 +24,7 @@ namespace {
 class InteriorSearch {
  public:
   InteriorSearch(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : pair_(a, pose_a, b, pose_b), back_(pair_.back()) {}
+      : pair_(a, pose_a, b, pose_b), sides_(PosedRegions(pair_)) {}
 
   bool meet() {
     const UnitPlacement at = pair_.inUnits();
@@ -34,17 +33,18 @@ class InteriorSearch {
     };
     const Descent descent{pair_.a, pair_.b, hierarchyOf(pair_.a), hierarchyOf(pair_.b), at.map, at.rounding, 0};
     if (findHit(descent, {this, look, 0, -1, false}).hit) return true;
-    return meetInside(EdgeSides::A, ringInside(back_)) || meetInside(EdgeSides::B, ringInside(pair_));
+    return meetInside(EdgeSides::A, ringInside(pair_.back())) || meetInside(EdgeSides::B, ringInside(pair_));
   }
 
  private:
   bool meetBeside(std::size_t i, std::size_t j) {
-    return edgesMeet(pair_, i, j) && (meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
+    return edgesMeet(pair_, i, j) &&
+           (crossAlone(pair_, i, j) || meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
   }
 
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
-    if (!seen_[operand].insert(edge).second) return false;
-    const EdgeSides sides(pair_, back_, operand, edge);
+    if (sides_.ifKnown(operand, edge) != nullptr) return false;
+    const EdgeSides& sides = sides_.of(operand, edge);
     has_bare_[operand] |= sides.isBareInside();
     return sides.bordersBoth();
   }
@@ -60,8 +60,8 @@ class InteriorSearch {
     return false;
   }
 
-  const PosedPair pair_, back_;
-  std::set<std::size_t> seen_[2];  ///< edges that have been looked at
+  const PosedPair pair_;
+  KnownSides sides_;
   bool has_bare_[2] = {};
 };
 

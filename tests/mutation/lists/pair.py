@@ -2,9 +2,14 @@
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
     ("src/pair/collide_by_edges.cpp", "constexpr std::size_t kMostAnEdge = 32;", "constexpr std::size_t kMostAnEdge = 32000000;", "edges alone: chains of large polygons, each with each"),
-    ("src/pair/edge_sides.cpp", "if (q == r || q * r > 0) return;", "if (q * r >= 0) return;", "interiors: edges that end on the line"),
+    ("src/pair/edge_sides.cpp", "if (of_q * of_r > 0) return;", "if (of_q * of_r >= 0) return;", "interiors: edges that end on the line"),
     ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
-    ("src/pair/edge_sides.cpp", "(right[A] && right[B])", "(left[A] && right[B])", "interiors: one on either side"),
+    ("src/pair/edge_sides.cpp", "(first.right && others.right == sought)", "(first.left && others.right == sought)", "interiors: one on either side"),
+    ("src/pair/edge_sides.cpp", "if (is_passed) beside.right += turn;", "", "interiors: edges around a vertex aren't passed"),
+    ("src/pair/edge_sides.cpp", "if (side != 0 || !isAhead()) beside.right += turn;", "", "interiors: an edge that leads back"),
+    ("src/pair/edge_sides.cpp", "way.course > 0 ? from_way > 0 && side < 0 :", "", "interiors: left and right turns around a vertex"),
+    ("src/pair/edge_sides.cpp", "< 0 && sign(q, r, way.from) * slant > 0) way.winding", "<= 0 && sign(q, r, way.from) * slant > 0) way.winding", "interiors: edges at the end of the way are passed twice"),
+    ("src/pair/edge_sides.cpp", "return found != c.edge && c.path[found] != c.path[found + 1];", "return false;", "interiors: edges that cross aren't alone"),
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBareInside();", "", "interiors: edges without area lead there"),
     ("src/pair/interiors.cpp", "if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;", "", "interiors: of points"),
     ("src/pair/cast_ray.cpp", "error[0] + error[1] + kTiny}", "0}", "ray: no error of its ends"),
@@ -67,7 +72,7 @@ MUTATIONS = [
     ("src/hierarchy/placement.h", "Gram(columns_a_[0], columns_a_[1]).defect()}", "0}", "scale defect"),
     ("src/hierarchy/placement.h", "Gram(r0, r1).defect(),", "0,", "defect of the relative pose"),
     ("src/hierarchy/placement.h", "length * (1 + 2 * scale_defect) * inverse_unit", "length * inverse_unit", "margin in a's frame: scale forgotten"),
-    ("src/pair/outer_rings.cpp", "return EdgeSides(itself_, itself_, EdgeSides::A, begin_ + at(corner).foot).isBare();", "return false;", "outwards: edges without an inside are left out"),
-    ("src/pair/outer_rings.cpp", "return !interiorsMeet(polygon_, here_, wound.data(), here_);", "return !interiorsMeet(polygon_, here_, wound.data(), here_) || loop.size() == 5;", "outwards: edges are lengthened across the region"),
+    ("src/pair/outer_rings.cpp", "return !is_alone && EdgeSides(itself_, EdgeSides::A, old).isBare();", "return false;", "outwards: edges without an inside are left out"),
+    ("src/pair/outer_rings.cpp", "return is_clear && !triangle.holdsInside(polygon_);", "return is_clear;", "outwards: corners of holes are filled from inside"),
     ("src/pair/outer_rings.cpp", "if (!near_.holds(corner.place, vertex(corner.foot), vertex(corner.foot + 1))) return false;", "", "outwards: corners of any reach"),
 ]
