@@ -63,7 +63,8 @@ class TRICOVER_EXPORT Polygon {
 
   /// As they were given. A polygon keeps its vertices otherwise: the first call makes these, for all copies.
   const std::vector<Ring>& rings() const;
-  FillRule fillRule() const;  ///< As it was given.
+  FillRule fillRule() const;  ///< As it was given; see complement().
+  bool isComplement() const;  ///< Whether complement() made it, and its region is unbounded.
 
   /// Tells polygons apart. Copies share the id, and no other polygon has it while the process lives, not even one that
   /// another copy of this library in the process makes (plugins). It is never 0, and means nothing in another process.
@@ -132,10 +133,29 @@ class TRICOVER_EXPORT Polygon {
   /// Throws std::invalid_argument for a tolerance that is negative or not finite.
   /// \snippet polygon.cpp simplified
   Polygon simplified(double tolerance, Simplify side = Simplify::Both) const;
+  /// Returns the closure of what is outside of the region, which is unbounded. Its rings are this polygon's, and its
+  /// edges have their numbers, unless edges have the region on both sides or on none, as those that two rings share:
+  /// such edges are left out, and rings are joined anew from the others. The fill rule is FillRule::EvenOdd. Exact.
+  ///
+  /// Legal in all queries but penetration() and ContactDetail::GlobalDepth, which throw std::invalid_argument. Two
+  /// complements always collide. A complement isn't convex. Its area(), bounds() and radius() are infinite, and its
+  /// centroid() is the middle of its rings' box. It stays one when it is translated(), transformed(), scaled() or
+  /// simplified() (not outwards), and complement() of it is the closure of the region's inside.
+  ///
+  /// Throws std::invalid_argument for a polygon that has no area; and under FillRule::NonZero, naming ring and vertex,
+  /// where an edge is inside of the region beyond a crossing that is no vertex: doubles do not hold that point. Takes
+  /// O(n log n) for most polygons. \snippet polygon.cpp complement
+  Polygon complement() const;
 
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
 
  private:
+  enum class Adopt { Data };
+  Polygon(Adopt, const detail::PolygonData* data) : data_(data) {}
+  Polygon withRings(const std::vector<Ring>& rings) const;  ///< Of the same fill.
+  template <typename Map>
+  Polygon mapped(const Map& map) const;
+
   const detail::PolygonData* data_;
 };
 

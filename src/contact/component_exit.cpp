@@ -201,7 +201,7 @@ Polygon ComponentExits::ringsOf(const OverlapComponent& component, int side) con
     if (ring != last) rings.push_back(polygon.vertices(ring));
     last = ring;
   }
-  return Polygon(rings, polygon.fill);
+  return Polygon(rings, polygon.fill.rule);  // for its edges alone
 }
 
 /// In a containment: past the nearest of the outer polygon's edges.
@@ -210,12 +210,13 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
   // Only the inner polygon is searched from, so that many components don't cost their number squared.
   const Polygon own_rings = ringsOf(component, inner);
   const PolygonData &inside = own_rings.data(), &outside = polygonOf(pair_, outer);
-  // Edges of the component's own rings are no way out of it.
+  // Edges of the component's own rings are no way out of it, unless the component is all around a complement's hole.
   std::unordered_set<std::size_t> own;
   for (const BoundaryPoint& point : component.points)
-    if (point.edge[outer] >= 0) own.insert(static_cast<std::size_t>(point.edge[outer]));
+    if (point.edge[outer] >= 0 && !outside.fill.is_complement) own.insert(static_cast<std::size_t>(point.edge[outer]));
   double nearest = std::numeric_limits<double>::infinity();
-  Vec2 in = leftmostOf(component).at, out = in, across = Vec2::UnitX();
+  // Beyond the range of squares, any edge will do.
+  Vec2 in = leftmostOf(component).at, out = frame_.from(outer, outside.path.front()), across = Vec2::UnitX();
   const auto tryEdges = [&](std::size_t i, std::size_t o) {
     if (own.count(o) != 0) return;
     const WorldFrame::Ends edge{frame_.from(inner, inside.path[i]), frame_.from(inner, inside.path[i + 1])},
@@ -229,7 +230,7 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
     const Vec2 way = outer_edge.w - outer_edge.v;
     if (!way.isZero(0)) across = Vec2(way.y(), -way.x()).stableNormalized();
   };
-  const double far = 4 * std::min(pair_.a.radius + pair_.b.radius, 0x1p1020);
+  const double far = 4 * std::min(pair_.a.reach + pair_.b.reach, 0x1p1020);
   const auto search = [&](const PosedPair& pair, auto tryPair) {
     forEachPair(pair, far, [&](double, std::size_t i, std::size_t j) {
       tryPair(i, j);
@@ -243,7 +244,7 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
            [&](std::size_t o, std::size_t i) { tryEdges(i, o); });
   Vec2 outwards = across;
   if (nearest > 4 * frame_.error())
-    outwards = (out - in).normalized();
+    outwards = (out - in).stableNormalized();
   else if (across.dot(out - (inner == 1 ? Vec2(Vec2::Zero()) : frame_.originOfA())) < 0)
     outwards = -across;
   Exit exit{inner == 1 ? outwards : Vec2(-outwards), 0, {-1, -1}, outer};

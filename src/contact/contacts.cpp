@@ -87,6 +87,7 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
   requireFiniteNotNegative(options.margin, "margin");
   if (options.detail < ContactDetail::Points || options.detail > ContactDetail::GlobalDepth)
     refuse("detail", "not a ContactDetail");
+  if (options.detail == ContactDetail::GlobalDepth) requireBounded(a, b);
   requireRigid(pose_a, pose_b);
   if (options.touching != Touching::Collides && !collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching}))
     return {};

@@ -35,7 +35,7 @@ bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, Dist
   }
   const Place place = pair.inUnits(pair.defect).origin();
   const Hierarchy& tree = hierarchyOf(pair.a);
-  if (!(distanceFromRoot(tree.root, place) > 0)) {
+  if (!(distanceFromRoot(tree.region, place) > 0)) {
     const Location location = locateInA(pair, pair.b.path[pair.b.edgeBegin(0)]);
     if (location == Location::Boundary) return false;
     if (location == Location::Inside) {

@@ -106,6 +106,14 @@ void SvgDrawing::polygon(const Polygon& polygon, const Pose& pose, const std::st
     }
     path += 'Z';
   }
+  if (polygon.isComplement()) {  // as far as a frame around its rings
+    const Vec2 around = Vec2::Constant(margin + 0.25 * box.sizes().maxCoeff());
+    box = {box.min() - around, box.max() + around};
+    include(box.min());
+    include(box.max());
+    path += 'M' + pair(box.min()) + 'L' + pair({box.max().x(), box.min().y()}) + 'L' + pair(box.max()) + 'L' +
+            pair({box.min().x(), box.max().y()}) + 'Z';
+  }
   const std::string region = "<path d=\"" + path + "\" fill-rule=\"" +
                              (polygon.fillRule() == FillRule::EvenOdd ? "evenodd" : "nonzero") + "\"";
   if (margin > 0) {

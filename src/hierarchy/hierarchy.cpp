@@ -77,7 +77,9 @@ class Builder {
   }
 
   void fitRoot(Hierarchy& hierarchy) const {
-    hierarchy.root = rounded(fitAll(all_), Double2{}, 1);
+    constexpr float kWithoutEnd = std::numeric_limits<float>::infinity();
+    hierarchy.root = hierarchy.region = rounded(fitAll(all_), Double2{}, 1);
+    if (polygon_.fill.is_complement) hierarchy.region.along = hierarchy.region.across = kWithoutEnd;
     hierarchy.root_spanned = all_.kind == Part::Chain;
   }
 

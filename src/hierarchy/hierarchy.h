@@ -98,7 +98,8 @@ struct Hierarchy : Derived::Thing {
 
   mutable std::vector<Block> blocks;  ///< written before few_blocks says so
   Derived few_blocks;                 ///< whether they are there, of few edges
-  Box root;                           ///< around everything, in units
+  Box root;                           ///< around all edges, in units
+  Box region;                         ///< around all of the region: that one, or without end around a complement
   bool root_spanned;
 
   std::unique_ptr<const SmallPolygon> small;   ///< null unless the polygon has few edges

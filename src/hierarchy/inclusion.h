@@ -12,7 +12,7 @@ Inclusion includeInDisc(const PolygonData& polygon, const Hierarchy* hierarchy, 
 
 /// The same, after the bounding disc has been tested.
 inline Inclusion includeInPolygon(const PolygonData& polygon, const IncludedPoint& point) {
-  if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
+  if (outsideBoundingDisc(polygon, point.approx)) return includeFarAway(polygon);
   return includeInDisc(polygon, hierarchyIfBuilt(polygon), point);
 }
 

@@ -87,7 +87,7 @@ class DepthSearch {
 
 }  // namespace
 
-ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd(polygon.fill == FillRule::EvenOdd) {
+ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd(polygon.fill.rule == FillRule::EvenOdd) {
   const std::size_t stride = polygon.path.size() / kSearched + 1;
   edges.reserve(polygon.path.size() / stride + polygon.ringCount());
   struct Vertex {
@@ -131,7 +131,7 @@ double provenRadius(const PolygonData& polygon, const Vec2& center, float depth)
 /// Around the deepest places of a grid over the root box and the deepest near those, deepest first. No centre is in a
 /// disc before it.
 InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
-  if (!polygon.fitsUnit()) return;
+  if (!polygon.fitsUnit() || polygon.fill.is_complement) return;
   // At most 16 edges are tested at once: little but the largest disc is worth its cost.
   const bool few = topOf(polygon).small != nullptr;
   DepthSearch search(polygon);

@@ -24,7 +24,7 @@ const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   return is_due ? &detail::hierarchyOf(polygon) : nullptr;
 }
 
-/// Whether the bounding disc, which answers sooner than a certificate, tells that a point is outside.
+/// Whether the bounding disc, which answers sooner than a certificate, tells where a point is.
 bool isOutsideDisc(const detail::PolygonData& polygon, const Vec2& point) {
   return detail::outsideBoundingDisc(polygon, detail::IncludedPoint::ofFrame(point).approx);
 }
@@ -76,14 +76,15 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
 Location locate(const Polygon& polygon, const Vec2& point) {
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
-  return isOutsideDisc(data, point) ? Location::Outside : locateInDisc(data, hierarchyInTime(data), point);
+  return isOutsideDisc(data, point) ? detail::includeFarAway(data).location
+                                    : locateInDisc(data, hierarchyInTime(data), point);
 }
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
   detail::PointCertificate& cache = detail::contentsOf(caller_cache);
   checkPoint(point);
   const detail::PolygonData& data = polygon.data();
-  if (isOutsideDisc(data, point)) return Location::Outside;
+  if (isOutsideDisc(data, point)) return detail::includeFarAway(data).location;
   if (cache.back_off.left <= 1) return locateByCertificate(data, point, cache);
   --cache.back_off.left;
   return locateInDisc(data, hierarchyInTime(data), point);

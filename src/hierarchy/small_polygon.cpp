@@ -46,11 +46,11 @@ std::unique_ptr<SmallPolygon> emptySmallPolygon(int lanes) {
 
 std::unique_ptr<const SmallPolygon> makeSmallPolygon(const PolygonData& polygon, const Vec2* local) {
   const std::size_t n = polygon.path.size() - polygon.ringCount();
-  if (n > SmallPolygon::kMost) return nullptr;
+  if (n > SmallPolygon::kMost || polygon.fill.is_complement) return nullptr;  // lanes are of bounded regions
   std::unique_ptr<SmallPolygon> small = emptySmallPolygon(n > kLanes ? SmallPolygon::kMost : kLanes);
   small->count = static_cast<int>(n);
   small->edges = (1u << n) - 1;
-  small->fill = polygon.fill;
+  small->fill = polygon.fill.rule;
   addRings(polygon, *small);
   const double outwards = convexityOf(polygon).direction < 0 ? -1 : 1;
   Double2 low = load2(local[0].data()), high = low;

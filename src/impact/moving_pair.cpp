@@ -200,6 +200,7 @@ void MovingPair::prepare() {
 
 // A path of acceleration A or less leaves the line between its ends by at most A / 8.
 bool MovingPair::discsStayApart() const {
+  if (a.polygon->fill.is_complement || b.polygon->fill.is_complement) return false;
   const Vec2 chord = b.path.at(1);
   const double chord_error = b.path.mostAcceleration(0, 1) / 8 * (1 + 0x1p-20);
   // Rounding moves the nearest point along the path, by so little that the distance differs in the second order only.

@@ -120,7 +120,7 @@ class RayCast {
 
   /// Whether the ray is beside the bounding disc.
   bool passesBy() const {
-    const double room = polygon_.radius * polygon_.inverse_unit + ray_.error;
+    const double room = polygon_.reach * polygon_.inverse_unit + ray_.error;
     const double beside = std::abs(ray_.x * ray_.dy - ray_.y * ray_.dx), ahead = -(ray_.x * ray_.dx + ray_.y * ray_.dy);
     return beside > room || ahead < -room || ahead > ray_.length + room;
   }
@@ -129,7 +129,7 @@ class RayCast {
     if (in_units) {
       const Hierarchy& tree = hierarchyOf(polygon_);
       const Place place{ray_.x, ray_.y, start_error_};
-      if (distanceFromRoot(tree.root, place) > 0) return false;
+      if (distanceFromRoot(tree.region, place) > 0) return false;
       const InnerDiscs* discs = innerDiscsIfPaid(polygon_);
       if (discs != nullptr && depthInDiscs(*discs, place) > 0) return true;
     }

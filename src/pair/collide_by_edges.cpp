@@ -21,8 +21,9 @@ std::size_t savedBy(const PolygonData& polygon) {
 }
 
 /// What the hierarchies cost that aren't there, and the edges that are looked at without them: those of both polygons
-/// and, of a ring that may be inside, those of the other one.
+/// and, of a ring that may be inside, those of the other one. The boxes around edges say nothing about a complement.
 bool arePaidFor(const PolygonData& a, const PolygonData& b) {
+  if (a.fill.is_complement || b.fill.is_complement) return true;
   const auto leftOf = [](const PolygonData& polygon) {
     return topIfBuilt(polygon) != nullptr ? 0 : polygon.hierarchy_rental.left(hierarchyPrice(polygon));
   };

@@ -27,7 +27,7 @@ Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double looka
   const Place place = at.origin();
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const double accept = at.within(test.options.margin + test.options.tolerance);
-  const double outside = distanceFromRoot(tree.root, place);
+  const double outside = distanceFromRoot(tree.region, place);
   if (outside > limit) return {false, at.inWorld(outside, test.a.unit), -1, -1};
   const bool may_be_inside = !(outside > 0);
   if (may_be_inside && wanted != Wanted::Edges) {

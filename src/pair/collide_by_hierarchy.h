@@ -23,7 +23,7 @@ enum class Wanted { Answer, Clearance, Edges };
                                                  const EdgeTest& test, double& clearance) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
-  const double gap = rootGap(a.root, b.root, at.map, at.rounding);
+  const double gap = rootGap(a.region, b.region, at.map, at.rounding);
   if (gap > limit) {
     clearance = gap;
     return Meeting::Apart;
@@ -37,7 +37,7 @@ enum class Wanted { Answer, Clearance, Edges };
     return meeting;
   }
   // Inner discs hardly meet unless the boxes are deep in each other.
-  const double deep = 0.7 * std::min<double>(a.root.across, b.root.across * at.map.scale);
+  const double deep = 0.7 * std::min<double>(a.region.across, b.region.across * at.map.scale);
   if (!(gap < -deep)) return Meeting::Unknown;
   const InnerDiscs *discs_a = innerDiscsIfPaid(test.a), *discs_b = innerDiscsIfPaid(test.b);
   if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;

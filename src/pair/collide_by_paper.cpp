@@ -80,7 +80,7 @@ bool collideByPaper(const PosedPair& pair, KeptMask* kept, const CollideOptions&
 
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
   const IncludedPoint centroid = seenFromA(pair, pair.b.origin);
-  const double length = (pair.b.radius + options.margin) * (1 + 2.1 * kLargestDefect);
+  const double length = (pair.b.reach + options.margin) * (1 + 2.1 * kLargestDefect);
   std::vector<std::size_t> held;
   const std::vector<std::uint64_t> mask = influenceMask(pair.a, centroid, length, held);
   if (held.empty()) {

@@ -16,16 +16,16 @@ bool outsideRoot(const PolygonData& polygon, const ApproxPoint& p) {
   if (hierarchy == nullptr) return false;
   const Vec2 at = polygon.inUnits({p.x, p.y});
   // p is wrong by `error` in either coordinate.
-  return distanceFromRoot(hierarchy->root, {at.x(), at.y(), 1.5 * p.error * polygon.inverse_unit}) > 0;
+  return distanceFromRoot(hierarchy->region, {at.x(), at.y(), 1.5 * p.error * polygon.inverse_unit}) > 0;
 }
 
-/// A disc around b in a's frame, rounded outwards: poses' defects grow its radius.
+/// A disc around b's region in a's frame, rounded outwards: poses' defects grow its radius.
 struct DiscOfB {
   explicit DiscOfB(const PosedPair& pair) {
     const ApproxPoint center = seenFromA(pair, pair.b.origin).approx;
     x = center.x;
     y = center.y;
-    radius = (pair.b.radius * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff);
+    radius = (pair.b.reach * (1 + 2.1 * kLargestDefect) + 4 * center.error) * (1 + 16 * kUnitRoundoff);
   }
 
   bool holds(const Vec2& p) const {

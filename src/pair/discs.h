@@ -32,10 +32,11 @@ struct InnerDisc {
   double radius;  ///< negative if there is none
 };
 
-/// The gap between the bounding discs, a lower bound of the distance, if it is above the margin; otherwise -1.
+/// The gap between the discs around the regions, a lower bound of the distance, if it is above the margin; otherwise
+/// -1.
 inline double gapOfDiscs(const PosedPair& pair, double margin) {
   const Double2 way = pair.way();
-  const double sum = (pair.a.radius + pair.b.radius) * (1 + kLargestDefect) + pair.error(), reach = sum + margin;
+  const double sum = (pair.a.reach + pair.b.reach) * (1 + kLargestDefect) + pair.error(), reach = sum + margin;
   const double square = dot(way, way);
   if (!(squarable(reach) && square > roundedUp<kDiscSquares>(reach * reach))) return -1;
   // The root of two roundings and its own; the difference, at most what the root is.

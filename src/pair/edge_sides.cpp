@@ -223,7 +223,7 @@ bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
 }
 
 EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
-  const FillRule fill = regions_.polygon(operand).fill;
+  const Fill& fill = regions_.polygon(operand).fill;
   return {isInside(fill, windings_[operand].left), isInside(fill, windings_[operand].right)};
 }
 

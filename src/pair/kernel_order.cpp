@@ -33,7 +33,7 @@ int compareEdges(const PolygonData& a, const PolygonData& b) {
   const std::vector<EdgeNumbers> p = sortedEdges(a), q = sortedEdges(b);
   if (std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), areInOrder)) return -1;
   if (std::lexicographical_compare(q.begin(), q.end(), p.begin(), p.end(), areInOrder)) return 1;
-  if (a.fill == FillRule::EvenOdd) return 0;
+  if (a.fill.rule == FillRule::EvenOdd) return 0;
   // Under the non-zero rule the same edges may bound another region: there, directions matter, too.
   for (std::size_t k = 0; k < a.path.size(); ++k)
     for (const int i : {0, 1})

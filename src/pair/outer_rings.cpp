@@ -296,7 +296,7 @@ Ring corners(const Ring& ring) {
 std::vector<Ring> outerRings(const PolygonData& polygon, double tolerance) {
   std::vector<Ring> rings_of_corners;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) rings_of_corners.push_back(corners(polygon.vertices(r)));
-  const Polygon same(rings_of_corners, polygon.fill);
+  const Polygon same(rings_of_corners, polygon.fill.rule);
   RingCover rings(same.data(), tolerance);
   std::vector<Ring> cover;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) cover.push_back(rings.cover(r));
@@ -307,9 +307,12 @@ std::vector<Ring> outerRings(const PolygonData& polygon, double tolerance) {
 
 Polygon Polygon::simplified(double tolerance, Simplify side) const {
   detail::requireFiniteNotNegative(tolerance, "tolerance");
+  if (side == Simplify::Outwards && isComplement())
+    detail::refuse("side", "a complement is not simplified outwards",
+                   "use Simplify::Both and a margin of the tolerance");
   const auto rings =
       side == Simplify::Outwards ? detail::outerRings(*data_, tolerance) : detail::simplifiedRings(*data_, tolerance);
-  return Polygon(rings, data_->fill);
+  return withRings(rings);
 }
 
 }  // namespace tricover

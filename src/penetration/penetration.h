@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "distance/options.h"
+#include "numbers/errors.h"
 #include "pair/world_frame.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
@@ -11,6 +13,13 @@
 #include "tricover/penetration.h"
 
 namespace tricover::detail {
+
+/// Refuses a complement, which no translation or no shortest one separates from another region.
+inline void requireBounded(const Polygon& a, const Polygon& b) {
+  for (const auto& [polygon, name] : {std::pair(&a, "a"), std::pair(&b, "b")})
+    if (polygon->isComplement())
+      refuse(name, "a complement has no depth as a whole", "use contacts() with ContactDetail::LocalDepth");
+}
 
 /// Where two regions that are apart are nearest, and the unit vector from a to b there.
 struct NearestContact {

@@ -14,6 +14,7 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
                               const DistanceOptions& options) {
   detail::checkOptions(options);
   const bool meet = collide(a, pose_a, b, pose_b);
+  if (meet) detail::requireBounded(a, b);
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) -> SignedDistance {

@@ -145,7 +145,7 @@ class Sweep {
     sum_.add(sum, 1);
   }
 
-  const FillRule fill_;
+  const Fill fill_;
   std::vector<RisingEdge> edges_;
   std::size_t next_ = 0;  ///< the first edge that begins above
   std::vector<Side> sides_;
@@ -190,14 +190,16 @@ bool hasArea(const PolygonData& polygon) {
 }  // namespace detail
 
 double Polygon::area() const {
+  if (isComplement()) return std::numeric_limits<double>::infinity();
   const double unit = data_->unit;
   return std::max(0.0, detail::Sweep(*data_).sum().area) * unit * unit;
 }
 
 Vec2 Polygon::centroid() const {
-  const Eigen::AlignedBox2d box = bounds();
+  Eigen::AlignedBox2d box;
+  for (const Vec2& vertex : data_->path) box.extend(vertex);
   const Vec2 middle = 0.5 * box.min() + 0.5 * box.max();
-  if (!detail::hasArea(*data_)) return middle;
+  if (isComplement() || !detail::hasArea(*data_)) return middle;
   const detail::Moments sum = detail::Sweep(*data_).sum();
   if (!(sum.area > 0)) return middle;
   const Vec2 center = data_->origin + Vec2(sum.x, sum.y) / sum.area * data_->unit;

@@ -88,7 +88,7 @@ double edgeDepthOf(const PolygonData& polygon) {
 Convexity::Convexity(const PolygonData& polygon) {
   constexpr std::size_t kFew = 32;
   std::size_t few[kFew], count = 0;
-  if (polygon.ringCount() == 1) {
+  if (polygon.ringCount() == 1 && !polygon.fill.is_complement) {
     std::vector<std::size_t> many;
     if (polygon.path.size() > kFew) many.resize(polygon.path.size());
     std::size_t* const found = many.empty() ? few : many.data();

@@ -61,7 +61,7 @@ Inclusion CoveringSum::result() const {
 }
 
 Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& point) {
-  if (outsideBoundingDisc(polygon, point.approx)) return {Location::Outside, 0};
+  if (outsideBoundingDisc(polygon, point.approx)) return includeFarAway(polygon);
   CoveringSum sum(polygon, point);
   sum.addAll();
   return sum.result();

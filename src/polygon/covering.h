@@ -8,7 +8,9 @@
 
 namespace tricover::detail {
 
-inline bool isInside(FillRule fill, int winding) { return fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0; }
+inline bool isInside(const Fill& fill, int winding) {
+  return (fill.rule == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0) != fill.is_complement;
+}
 
 /// Where a point is, and, unless it is on the boundary, how often the rings wind around it in the polygon's own frame.
 struct Inclusion {
@@ -35,9 +37,15 @@ struct IncludedPoint {
   }
 };
 
+/// Whether a point is certainly outside of the disc around all rings, where no ring winds around it.
 inline bool outsideBoundingDisc(const PolygonData& polygon, const ApproxPoint& p) {
   return normBelow(p.x - polygon.origin.x(), p.y - polygon.origin.y()) >
          (polygon.radius + 2 * p.error) * (1 + 4 * kUnitRoundoff);
+}
+
+/// Where such a point is.
+inline Inclusion includeFarAway(const PolygonData& polygon) {
+  return {polygon.fill.is_complement ? Location::Inside : Location::Outside, 0};
 }
 
 /// The sum of the paper's Algorithm 1 with exact signs, twice the winding number, edge by edge. Any origin s serves

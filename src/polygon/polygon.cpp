@@ -192,8 +192,8 @@ void requireCapacity(std::size_t positions) {
     refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
 }
 
-PolygonData* PolygonData::make(const RingsView& rings, FillRule fill) {
-  if (fill != FillRule::EvenOdd && fill != FillRule::NonZero) refuse("fill", "not a FillRule");
+PolygonData* PolygonData::make(const RingsView& rings, const Fill& fill) {
+  if (fill.rule != FillRule::EvenOdd && fill.rule != FillRule::NonZero) refuse("fill", "not a FillRule");
   const std::size_t total = positionsOf(rings);
   static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
@@ -224,6 +224,7 @@ const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positi
   PolygonData* reduced = make(RingsView({ring.data(), ring.size()}), fill);
   reduced->origin = origin;
   reduced->radius = radius;
+  reduced->reach = reach;
   reduced->extent = extent;
   reduced->unit = unit;
   reduced->inverse_unit = inverse_unit;
@@ -237,17 +238,18 @@ void PolygonData::release() const {
   ::operator delete(memory);
 }
 
-PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, FillRule fill_)
+PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const Fill& fill_)
     : id(nextId()), fill(fill_), path(positions, rings_.size()) {
   static_assert(offsetof(PolygonData, path) + sizeof(Path) == sizeof(PolygonData));
   const Extremes extremes(path);
   if (!extremes.are_plain) refuseNotFinite(rings_);
-  degenerate_edge = degenerateEdgeOf(path);
+  degenerate_edge = fill.is_complement ? kNotDegenerate : degenerateEdgeOf(path);
   is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + std::size_t{1}];
   const Frame frame(extremes);
   store2(origin.data(), centroid(*this, frame));
   extent = std::max(extremes.extent, std::abs(origin.x()) + std::abs(origin.y()));
   radius = boundingRadius(*this, frame);
+  reach = fill.is_complement ? kInfinity : radius;
   // Below and above these the powers of two themselves would leave the range of normal doubles.
   const int exponent = std::isfinite(radius) && radius > 0x1p-1000 ? std::min(exponentOf(radius) + 1, 1020)
                        : std::isfinite(radius)                     ? -1000
@@ -292,10 +294,10 @@ std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
 }  // namespace detail
 
 Polygon::Polygon(const std::vector<Ring>& rings, FillRule fill)
-    : data_(detail::PolygonData::make(detail::RingsView(rings), fill)) {}
+    : data_(detail::PolygonData::make(detail::RingsView(rings), {fill})) {}
 
 Polygon::Polygon(const Vec2* vertices, std::size_t count, FillRule fill)
-    : data_(detail::PolygonData::make(detail::RingsView({vertices, count}), fill)) {}
+    : data_(detail::PolygonData::make(detail::RingsView({vertices, count}), {fill})) {}
 
 Polygon::Polygon(const Polygon& other) noexcept : data_(other.data_) { data_->hold(); }
 
@@ -313,16 +315,25 @@ const std::vector<Ring>& Polygon::rings() const {
       data_->rings.built([&] { return std::make_unique<const detail::GivenRings>(*data_); });
   return static_cast<const detail::GivenRings*>(rings)->all;
 }
-FillRule Polygon::fillRule() const { return data_->fill; }
+FillRule Polygon::fillRule() const { return data_->fill.rule; }
+bool Polygon::isComplement() const { return data_->fill.is_complement; }
 std::uint64_t Polygon::id() const { return data_->id; }
 std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ringCount(); }
 const Vec2& Polygon::origin() const { return data_->origin; }
-double Polygon::radius() const { return data_->radius; }
+double Polygon::radius() const { return data_->reach; }
 
 Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
 Vec2 Polygon::edgeEnd(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
 
+namespace {
+
+/// Around a complement.
+Eigen::AlignedBox2d wholePlane() { return {Vec2::Constant(-detail::kInfinity), Vec2::Constant(detail::kInfinity)}; }
+
+}  // namespace
+
 Eigen::AlignedBox2d Polygon::bounds() const {
+  if (isComplement()) return wholePlane();
   Eigen::AlignedBox2d box;
   for (const Vec2& vertex : data_->path) box.extend(vertex);
   return box;
@@ -330,6 +341,7 @@ Eigen::AlignedBox2d Polygon::bounds() const {
 
 Eigen::AlignedBox2d Polygon::bounds(const Pose& pose) const {
   detail::requireRigid(pose, "pose");
+  if (isComplement()) return wholePlane();
   Eigen::AlignedBox2d box;
   for (const Vec2& vertex : data_->path) box.extend(Vec2(pose * vertex));
   // Two products and two sums of coordinates.
@@ -337,33 +349,32 @@ Eigen::AlignedBox2d Polygon::bounds(const Pose& pose) const {
   return {box.min() - Vec2::Constant(error), box.max() + Vec2::Constant(error)};
 }
 
-namespace {
-
 template <typename Map>
-Polygon mapped(const Polygon& polygon, Map map) {
-  const detail::PolygonData& data = polygon.data();
+Polygon Polygon::mapped(const Map& map) const {
   std::vector<Ring> rings;
-  rings.reserve(data.ringCount());
-  for (std::size_t r = 0; r < data.ringCount(); ++r)
-    for (Vec2& vertex : rings.emplace_back(data.vertices(r))) vertex = map(vertex);
-  return Polygon(rings, polygon.fillRule());
+  rings.reserve(data_->ringCount());
+  for (std::size_t r = 0; r < data_->ringCount(); ++r)
+    for (Vec2& vertex : rings.emplace_back(data_->vertices(r))) vertex = map(vertex);
+  return withRings(rings);
 }
 
-}  // namespace
+Polygon Polygon::withRings(const std::vector<Ring>& rings) const {
+  return {Adopt::Data, detail::PolygonData::make(detail::RingsView(rings), data_->fill)};
+}
 
 Polygon Polygon::translated(const Vec2& by) const {
   detail::requireFinite(by, "by");
-  return mapped(*this, [&](const Vec2& vertex) { return Vec2(vertex + by); });
+  return mapped([&](const Vec2& vertex) { return Vec2(vertex + by); });
 }
 
 Polygon Polygon::transformed(const Pose& pose) const {
   detail::requireRigid(pose, "pose");
-  return mapped(*this, [&](const Vec2& vertex) { return Vec2(pose * vertex); });
+  return mapped([&](const Vec2& vertex) { return Vec2(pose * vertex); });
 }
 
 Polygon Polygon::scaled(double factor) const {
   if (!(factor > 0 && std::isfinite(factor))) detail::refuse("factor", "it must be finite and positive");
-  return mapped(*this, [&](const Vec2& vertex) { return Vec2(factor * vertex); });
+  return mapped([&](const Vec2& vertex) { return Vec2(factor * vertex); });
 }
 
 Polygon point(const Vec2& p) {

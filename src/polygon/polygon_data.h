@@ -40,6 +40,19 @@ class Path {
   std::uint32_t size_, ring_count_;
 };
 
+/// Which winding numbers are inside.
+struct Fill {
+  FillRule rule = FillRule::EvenOdd;
+  bool is_complement = false;  ///< inside is what the rule calls outside
+
+  bool operator==(const Fill& other) const { return rule == other.rule && is_complement == other.is_complement; }
+  bool operator!=(const Fill& other) const { return !(*this == other); }
+  /// An order, whichever.
+  bool operator<(const Fill& other) const {
+    return is_complement != other.is_complement ? other.is_complement : rule < other.rule;
+  }
+};
+
 /// A ring's vertices, wherever they are.
 struct RingView {
   const Vec2* vertices;
@@ -67,7 +80,7 @@ class RingsView {
 /// path[e + 1]; ring r takes positions [edgeBegin(r), edgeEnd(r)) and the closing vertex after them is no edge.
 struct PolygonData {
   /// The last of its users destroys it.
-  static PolygonData* make(const RingsView& rings, FillRule fill);
+  static PolygonData* make(const RingsView& rings, const Fill& fill);
   /// The polygon of some of its vertices, by their positions, whose region must be the same; with the same S and unit.
   const PolygonData* reducedTo(const std::vector<std::size_t>& positions) const;
   void hold() const { users.fetch_add(1, std::memory_order_relaxed); }
@@ -110,6 +123,7 @@ struct PolygonData {
 
   Vec2 origin;    ///< S
   double radius;  ///< at least the distance from S to any vertex
+  double reach;   ///< at least the distance from S to any point of the region: the radius, or infinity for a complement
   double extent;  ///< the largest |x| + |y| of a vertex or of S: scales the rounding errors
   /// A power of two, at least the radius (where that is finite and above 2^-1000) and below 2 radii; and 1 / unit.
   double unit, inverse_unit;
@@ -123,16 +137,16 @@ struct PolygonData {
   SkiRental<Stages::All> discs_rental;
   SkiRental<Stages::Paid> starts_rental;
   mutable std::atomic<std::uint32_t> users{1};
-  FillRule fill;
+  Fill fill;
   bool is_point;  ///< whether it is a degenerate polygon whose edge has no length
   /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
-  /// disc of. S is on it but for rounding, and on a point exactly.
+  /// disc of. S is on it but for rounding, and on a point exactly. A complement is never degenerate.
   static constexpr std::uint8_t kNotDegenerate = 255;
   std::uint8_t degenerate_edge;
-  Path path;  ///< the last member: its vertices lie behind
+  alignas(8) Path path;  ///< the last member: its vertices lie behind
 
  private:
-  PolygonData(const RingsView& rings, std::size_t positions, FillRule fill);
+  PolygonData(const RingsView& rings, std::size_t positions, const Fill& fill);
   std::size_t nextWithLength(std::size_t position) const;
 };
 

@@ -71,6 +71,7 @@ Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& po
 }
 
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
+  if (polygon.fill.is_complement) return {-kInfinity, -kInfinity, kInfinity, kInfinity};
   if (polygon.path.size() <= kFewVertices) return boundsOfVertices(polygon, 0, polygon.path.size(), pose, reach);
   const double* m = pose.data();  // columns of three
   const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);

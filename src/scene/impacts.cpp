@@ -67,6 +67,7 @@ class SweptLeg {
 
   /// A box around all points within the margin of the polygon at some time from `begin` to `end`.
   Bounds between(double begin, double end) const {
+    if (polygon_.fill.is_complement) return {-kInfinity, -kInfinity, kInfinity, kInfinity};
     const double half = 0.5 * (end - begin), middle = begin + half;
     // A bound of how far points move against the pivot from their places at the middle.
     const double rotated = rotation_.mostRate(begin, end) * half * reach_;

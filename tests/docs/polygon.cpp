@@ -5,7 +5,10 @@
 
 #include <stdexcept>
 
+#include "tricover/collide.h"
+#include "tricover/distance.h"
 #include "tricover/locate.h"
+#include "tricover/segment.h"
 
 namespace {
 
@@ -47,6 +50,17 @@ TEST(Documentation, PolygonMeasures) {
   EXPECT_TRUE(around.contains(tricover::Vec2(9, 4)));
   EXPECT_NEAR(around.max().x(), 9, 1e-14);
   //! [measures]
+}
+
+TEST(Documentation, PolygonComplement) {
+  //! [complement]
+  const tricover::Polygon lane({{{0, 0}, {20, 0}, {20, 4}, {0, 4}}}), car = tricover::box(4, 2);
+  const tricover::Polygon outside = lane.complement();  // all of the plane but the lane's inside
+  EXPECT_FALSE(tricover::collide(outside, tricover::pose(0, 0), car, tricover::pose(10, 2)));
+  EXPECT_TRUE(tricover::collide(outside, tricover::pose(0, 0), car, tricover::pose(10, 3.5)));
+  EXPECT_EQ(tricover::distance(outside, tricover::pose(0, 0), car, tricover::pose(10, 2)).distance, 1);
+  EXPECT_EQ(tricover::locate(outside, {1e9, 0}), tricover::Location::Inside);
+  //! [complement]
 }
 
 TEST(Documentation, PolygonSimplified) {

@@ -26,6 +26,7 @@ struct Point {
 struct Shape {
   std::vector<std::vector<Point>> rings;
   FillRule fill;
+  bool is_complement;
 };
 struct Edge {
   const Point *v, *w;
@@ -96,8 +97,8 @@ long finestExponent(const DyadicRings& rings, long so_far) {
   return so_far;
 }
 
-Shape gridded(const DyadicRings& rings, FillRule fill, long exponent) {
-  Shape shape{{}, fill};
+Shape gridded(const DyadicRings& rings, FillRule fill, bool is_complement, long exponent) {
+  Shape shape{{}, fill, is_complement};
   for (const auto& ring : rings) {
     auto& out = shape.rings.emplace_back();
     for (const auto& [x, y] : ring) out.push_back({onGrid(x, exponent), onGrid(y, exponent)});
@@ -113,7 +114,8 @@ struct Pair {
 Pair griddedPair(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   const DyadicRings rings_a = posed(a, pose_a), rings_b = posed(b, pose_b);
   const long exponent = finestExponent(rings_b, finestExponent(rings_a, 0));
-  return {gridded(rings_a, a.fillRule(), exponent), gridded(rings_b, b.fillRule(), exponent), exponent};
+  return {gridded(rings_a, a.fillRule(), a.isComplement(), exponent),
+          gridded(rings_b, b.fillRule(), b.isComplement(), exponent), exponent};
 }
 
 Edge edge(const Point& v, const Point& w) {
@@ -144,6 +146,10 @@ bool edgesMeet(const Edge& e, const Edge& f) {
          orientation(*f.v, *f.w, *e.v) * orientation(*f.v, *f.w, *e.w) <= 0;
 }
 
+bool isFilled(const Shape& shape, int winding) {
+  return (shape.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0) != shape.is_complement;
+}
+
 Location locate(const Shape& shape, const std::vector<Edge>& shape_edges, const Point& p) {
   int winding = 0;
   for (const Edge& e : shape_edges) {
@@ -154,8 +160,7 @@ Location locate(const Shape& shape, const std::vector<Edge>& shape_edges, const 
     if (e.v->y <= p.y && p.y < e.w->y && side > 0) ++winding;
     if (e.w->y <= p.y && p.y < e.v->y && side < 0) --winding;
   }
-  const bool inside = shape.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
-  return inside ? Location::Inside : Location::Outside;
+  return isFilled(shape, winding) ? Location::Inside : Location::Outside;
 }
 
 /// Where no edges meet, a ring lies on one side of the other polygon as a whole.
@@ -192,10 +197,6 @@ std::vector<mpq_class> breaksOf(const std::vector<Edge>& edges) {
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
-}
-
-bool isFilled(const Shape& shape, int winding) {
-  return shape.fill == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
 }
 
 /// Whether somewhere on the vertical through x, which meets no vertex and no crossing, both are filled.
@@ -269,8 +270,8 @@ mpq_class inWorldUnits(const Fraction& fraction, long exponent) {
 Location locate(const Polygon& polygon, const Vec2& point) {
   const DyadicRings rings = unposed(polygon.rings()), points = unposed({{point}});
   const long exponent = finestExponent(points, finestExponent(rings, 0));
-  const Shape shape = gridded(rings, polygon.fillRule(), exponent);
-  return locate(shape, edges(shape), gridded(points, FillRule::EvenOdd, exponent).rings[0][0]);
+  const Shape shape = gridded(rings, polygon.fillRule(), polygon.isComplement(), exponent);
+  return locate(shape, edges(shape), gridded(points, FillRule::EvenOdd, false, exponent).rings[0][0]);
 }
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
@@ -279,6 +280,7 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 }
 
 bool interiorsMeet(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  if (a.isComplement() && b.isComplement()) return true;  // far away
   const Pair pair = griddedPair(a, pose_a, b, pose_b);
   std::vector<Edge> all = edges(pair.a);
   const std::size_t count_of_a = all.size();
@@ -320,7 +322,7 @@ mpq_class distanceSquared(const Polygon& a, const Pose& pose_a, const Polygon& b
 mpq_class distanceSquared(const Vec2& point, const Vec2& v, const Vec2& w) {
   const DyadicRings points = unposed({{point, v, w}});
   const long exponent = finestExponent(points, 0);
-  const Shape grid = gridded(points, FillRule::EvenOdd, exponent);
+  const Shape grid = gridded(points, FillRule::EvenOdd, false, exponent);
   const std::vector<Point>& p = grid.rings[0];
   return inWorldUnits(squaredDistance(p[0], p[1], p[2]), exponent);
 }

@@ -136,7 +136,8 @@ Case tinyInCorner(Random& random) {
 }
 
 bool isOneTwice(const Case& c) {
-  return c.a.rings() == c.b.rings() && c.a.fillRule() == c.b.fillRule() && c.pose_a.matrix() == c.pose_b.matrix();
+  return c.a.rings() == c.b.rings() && c.a.fillRule() == c.b.fillRule() && c.a.isComplement() == c.b.isComplement() &&
+         c.pose_a.matrix() == c.pose_b.matrix();
 }
 
 Pose elsewhere(Random& random, const Case& c) {

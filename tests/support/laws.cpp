@@ -107,6 +107,7 @@ bool areWithin(const Case& c, double margin, Touching touching) {
 std::string brokenLaw(const Case& c, double margin, Touching touching, bool truth, Random& random, PairCache& old) {
   const Question question{margin, false, nullptr, touching};
   for (const Query& query : queries()) {
+    if (!query.takes_complements && (c.a.isComplement() || c.b.isComplement())) continue;
     const Answer answer = query.ask(c, question);
     for (const Law& law : kLaws)
       if (!law.holds({c, query, question, answer, truth, random, old}))

@@ -39,6 +39,7 @@ struct Query {
   /// What is derived from polygons may change more than whether they meet: how soon a parting is seen, within the
   /// error.
   bool depends_on_stages = false;
+  bool takes_complements = true;
 };
 
 const std::vector<Query>& queries();

@@ -16,7 +16,8 @@ std::string polygonText(const char* name, const Polygon& polygon) {
     for (std::size_t i = 0; i < ring.size(); ++i) text += (i == 0 ? "" : ", ") + vertex(ring[i]);
     text += "}";
   }
-  return text + "}, FillRule::" + (polygon.fillRule() == FillRule::EvenOdd ? "EvenOdd" : "NonZero") + ");\n";
+  text += std::string("}, FillRule::") + (polygon.fillRule() == FillRule::EvenOdd ? "EvenOdd" : "NonZero");
+  return (polygon.isComplement() ? text.insert(text.find('('), " = Polygon") + ").complement();\n" : text + ");\n");
 }
 
 std::string poseText(const std::string& name, const Pose& pose) {

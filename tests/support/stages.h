@@ -18,6 +18,9 @@ struct UpTo {
 };
 
 /// The same from which nothing has been derived yet.
-inline Polygon afresh(const Polygon& polygon) { return Polygon(polygon.rings(), polygon.fillRule()); }
+inline Polygon afresh(const Polygon& polygon) {
+  const Polygon bounded(polygon.rings(), polygon.fillRule());
+  return polygon.isComplement() ? bounded.complement() : bounded;
+}
 
 }  // namespace tricover::support

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Complements in all queries that take them, against exact rationals: in the families of all other oracles, and of
+// bodies in holes that they fit exactly or nearly.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact_reference.h"
+#include "families.h"
+#include "laws.h"
+#include "random.h"
+#include "ray_laws.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "touching_families.h"
+#include "touching_laws.h"
+#include "tricover/locate.h"
+#include "tricover/ray.h"
+
+namespace tricover::support {
+namespace {
+
+/// False for what has no area, and where a crossing under the non-zero rule can't be said in doubles.
+bool complemented(Polygon& polygon) {
+  try {
+    polygon = polygon.complement();
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+/// On a lattice, with holes, pinched, or rings that cross.
+Polygon anyArea(Random& random) {
+  std::vector<Ring> rings;
+  for (int more = random.integer(0, 3); more >= 0; --more) {
+    const Vec2 at(random.integer(-2, 2), random.integer(-2, 2));
+    switch (random.integer(0, 2)) {
+      case 0:
+        rings.push_back(shifted(rectangle(0, 0, random.integer(1, 4), random.integer(1, 4)), at));
+        break;
+      case 1:
+        rings.push_back(shifted(comb(random.integer(1, 4), 2, 1, random.integer(1, 3)), at));
+        break;
+      default:
+        rings.push_back(star(random, random.integer(3, 12), 1, 4, at));
+        for (Vec2& v : rings.back())
+          if (random.coin()) v = Vec2(std::round(v.x()), std::round(v.y()));
+    }
+    if (random.oneIn(4)) rings.back() = withRepeatedAndMidpoints(random, rings.back());
+  }
+  return Polygon(redirected(random, rings), random.oneIn(4) ? FillRule::NonZero : FillRule::EvenOdd);
+}
+
+/// a: what is outside of a polygon. b: that polygon, one of its rings, a piece of it, or a little larger or smaller,
+/// where the hole is or beside that; everything moved far away, or as small as can be, here and there.
+Case plugs(std::uint64_t seed) {
+  Random random(seed);
+  for (;;) {
+    const Polygon hole = anyArea(random);
+    Polygon outside = hole, plug = hole;
+    if (!complemented(outside)) continue;
+    if (random.coin()) {
+      const auto ring = static_cast<std::size_t>(random.integer(0, static_cast<int>(outside.rings().size()) - 1));
+      plug = Polygon({outside.rings()[ring]});
+    }
+    if (random.oneIn(3)) plug = Polygon({rectangle(0, 0, random.integer(1, 2) / 2.0, random.integer(1, 2) / 2.0)});
+    if (random.coin()) plug = plug.scaled(random.coin() ? 0.25 : 1 + random.integer(-1, 1) * 0x1p-52);
+    if (random.oneIn(8)) complemented(plug);
+    const double scale = random.oneIn(4) ? std::ldexp(1.0, random.integer(-900, 900)) : 1;
+    if (scale != 1) outside = outside.scaled(scale), plug = plug.scaled(scale);
+    Pose here = Pose::Identity();
+    if (random.oneIn(3)) here = pose(random.real(0, 6.3), 0, 0);
+    if (random.oneIn(3)) here.translation() = scale * std::ldexp(1.0, random.integer(0, 60)) * Vec2(1, -3);
+    Pose there = here;
+    if (random.coin()) there = here * pose(0, scale * random.integer(-4, 4) / 2.0, scale * random.integer(-4, 4) / 2.0);
+    if (random.oneIn(4)) there = there * pose(random.real(-1, 1) * 1e-3, 0, 0);
+    return random.coin() ? Case{outside, here, plug, there} : Case{plug, there, outside, here};
+  }
+}
+
+std::vector<Family> allFamilies() {
+  std::vector<Family> all = familiesOfAllSizes();
+  all.insert(all.end(), touchingFamilies().begin(), touchingFamilies().end());
+  all.push_back({"plugs", plugs});
+  return all;
+}
+
+/// With one complement, or seldom two; b is as often as not moved to where a was.
+Case withComplement(const Family& family, std::uint64_t seed) {
+  const Case made = family.make(seed);
+  if (family.make == plugs) return made;
+  Random random(~seed);
+  Case c = made;
+  if (random.coin())
+    c.pose_b.translation() += 0.5 * random.integer(0, 2) * (c.pose_a * c.a.origin() - c.pose_b * c.b.origin());
+  if (!c.pose_b.translation().allFinite()) c.pose_b = made.pose_b;
+  if (random.coin()) c.b = c.b.scaled(0x1p-3);
+  const bool of_a = random.oneIn(4);
+  if (!complemented(of_a ? c.a : c.b)) complemented(of_a ? c.b : c.a);
+  if (random.oneIn(16)) complemented(c.a.isComplement() ? c.b : c.a);
+  return c;
+}
+
+double anyMargin(Random& random, const Case& c) {
+  const double size = std::min(c.a.radius(), c.b.radius());
+  if (random.coin() || !(size > 1e-140 && size < 1e140)) return 0;
+  const double apart = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
+  const double margin = random.coin() ? nudged(apart, random.integer(0, 1)) : size * random.unit();
+  return margin < 1e150 ? margin : 0;
+}
+
+std::string wrongLocation(Random& random, const Polygon& polygon) {
+  for (int i = 0; i < 8; ++i) {
+    const EdgeIndex edge = anyEdge(random, polygon);
+    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+    const double share = random.integer(0, 8) / 4.0;
+    const Vec2 p =
+        random.coin() ? Vec2(v + share * (w - v)) : Vec2(s + share * std::pow(10, random.integer(0, 20)) * (v - s));
+    if (p.allFinite() && locate(polygon, p) != exact::locate(polygon, p)) return "locate\n" + reproduction(polygon, p);
+  }
+  return {};
+}
+
+std::string wrongRay(Random& random, const Polygon& polygon, const Pose& pose) {
+  for (int i = 0; i < 4; ++i) {
+    const Ray ray = anyRay(random, polygon, pose);
+    if (!ray.from.allFinite() || !ray.to.allFinite()) continue;
+    const auto truth = exact::castRay(polygon, pose, ray.from, ray.to);
+    const auto hit = castRay(polygon, pose, ray.from, ray.to);
+    if (hit.has_value() != truth.has_value()) return "whether a ray hits";
+    if (!hit) continue;
+    const std::string wrong = truth->edge < 0 ? (hit->edge >= 0 || hit->fraction != 0 ? "start" : "")
+                                              : wrongHit(polygon, pose, ray, *hit, *truth);
+    if (!wrong.empty()) return "a ray's " + wrong;
+  }
+  return {};
+}
+
+class Complements : public testing::TestWithParam<Family> {};
+
+TEST_P(Complements, KeepToExactRationalsAndTheLawsOfAllQueries) {
+  const bool is_own = GetParam().make == plugs;
+  const int cases = scaledCount(is_own ? 600 : 40);
+  int hits = 0, broken = 0, asked = 0, overlaps = 0;
+  PairCache old;
+  StrategyCaches old_strategies;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case c = withComplement(GetParam(), static_cast<std::uint64_t>(i) + 60000);
+    if (!c.a.isComplement() && !c.b.isComplement()) continue;
+    ++asked;
+    const double margin = anyMargin(random, c);
+    const Touching touching = i % 3 == 0 ? Touching::Allowed : Touching::Collides;
+    const bool truth = areWithin(c, margin, touching);
+    hits += truth;
+    std::string wrong;
+    try {
+      const Overlap overlap = overlapOf(c);
+      overlaps += overlap.overlap;
+      wrong = wrongTouching(c, overlap, old_strategies, random);
+      if (wrong.empty()) wrong = wrongTouchingInScene(c, overlap);
+      for (const auto& [polygon, pose] : {std::pair(c.a, c.pose_a), std::pair(c.b, c.pose_b)}) {
+        if (wrong.empty()) wrong = wrongLocation(random, polygon);
+        if (wrong.empty()) wrong = wrongRay(random, polygon, pose);
+      }
+      if (wrong.empty()) wrong = brokenLaw(c, margin, touching, truth, random, old);
+    } catch (const std::exception& error) {
+      wrong = error.what();
+    }
+    if (!wrong.empty() && ++broken <= 3)
+      ADD_FAILURE() << GetParam().name << " seed " << i << ": " << wrong << "\n" << reproduction(c);
+  }
+  std::printf("%-22s %4d cases %4d hits %4d overlaps %4d broken\n", GetParam().name, asked, hits, overlaps, broken);
+  EXPECT_EQ(broken, 0);
+  EXPECT_GE(2 * asked, cases);
+  if (!is_own || cases < 100) return;
+  EXPECT_GE(hits, cases / 4);
+  EXPECT_GE(hits - overlaps, cases / 16) << "touches";
+  EXPECT_LT(hits, 9 * cases / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Complements, testing::ValuesIn(allFamilies()),
+                         [](const auto& family) { return family.param.name; });
+
+/// Points of a lattice of quarters around the polygons: a point of the complement is one where points outside are as
+/// near as you like.
+TEST(Complement, IsTheClosureOfTheOutside) {
+  int left_out = 0, refused = 0;
+  const int cases = scaledCount(400);
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon polygon = anyArea(random);
+    Polygon outside = polygon;
+    if (!complemented(outside)) {
+      ++refused;
+      continue;
+    }
+    left_out += outside.vertexCount() < polygon.vertexCount();
+    ASSERT_TRUE(outside.isComplement());
+    const Polygon inside = outside.complement();
+    ASSERT_FALSE(inside.isComplement());
+    ASSERT_EQ(inside.rings(), outside.rings()) << "every edge is a border";
+    for (int k = 0; k < 60; ++k) {
+      const EdgeIndex edge = anyEdge(random, polygon);
+      const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge);
+      const Vec2 p = random.coin() ? Vec2(v + random.integer(0, 4) / 4.0 * (w - v))
+                                   : Vec2(random.integer(-24, 24) / 4.0, random.integer(-24, 24) / 4.0);
+      const Location location = exact::locate(polygon, p);
+      if (location != Location::Boundary) {
+        const bool is_inside = location == Location::Inside;
+        ASSERT_EQ(locate(outside, p), is_inside ? Location::Outside : Location::Inside) << reproduction(polygon, p);
+        ASSERT_EQ(locate(inside, p), location) << reproduction(polygon, p);
+        continue;
+      }
+      // Whether a small square around it has a corner of the region's other side: of borders exactly.
+      const Polygon probe({rectangle(p.x() - 0x1p-30, p.y() - 0x1p-30, p.x() + 0x1p-30, p.y() + 0x1p-30)});
+      const Pose here = Pose::Identity();
+      const bool has_outside = exact::interiorsMeet(outside, here, probe, here);
+      const bool has_inside = exact::interiorsMeet(polygon, here, probe, here);
+      ASSERT_EQ(locate(outside, p) != Location::Outside, has_outside) << reproduction(polygon, p);
+      ASSERT_EQ(locate(outside, p) == Location::Boundary, has_outside && has_inside) << reproduction(polygon, p);
+      ASSERT_EQ(locate(inside, p) == Location::Boundary, has_outside && has_inside) << reproduction(polygon, p);
+    }
+  }
+  std::printf("%d cases, %d refused, %d without some edges\n", cases, refused, left_out);
+  EXPECT_GE(left_out, cases / 16);
+  EXPECT_LT(refused, cases / 4);
+}
+
+}  // namespace
+}  // namespace tricover::support
