@@ -47,12 +47,15 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       b_(b),
       motion_a_(motion_a),
       motion_b_(motion_b),
-      pair_(preparedPair(a, motion_a, b, motion_b, options.margin)),
+      pair_(preparedPair(a, motion_a, b, motion_b, std::max(options.margin, 0.0))),
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, 1e-9)),
-      touch_margin_(margin_ + 8 * pair_.error * pair_.length * pair_.expansion),
+      precision_(8 * pair_.error * pair_.length * pair_.expansion),
+      touch_margin_(margin_ < 0 ? margin_ : margin_ + precision_),
+      steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
       speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
+  if (!std::isfinite(precision_)) precision_ = 0;
 }
 
 bool MovingContact::touchAt(double time) const {
@@ -64,6 +67,7 @@ bool MovingContact::touchAt(double time) const {
 bool MovingContact::meetUntil(double time, double next) const {
   const double travel = speed_ * (next - time) * kSpared;
   const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
+  if (margin_ < 0) return collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0});
   if (travel <= margin_ && collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0})) return true;
   const Outcome found = inKernelOrder(
       a_.data(), pose_a, b_.data(), pose_b,

@@ -25,10 +25,16 @@ class MovingContact {
   /// Returns the first contact from `begin` on, where they are apart unless it is 0.
   std::optional<Impact> next(double begin) const;
 
-  /// Whether they touch at a time.
+  /// Whether they touch at a time; with a negative margin, whether they are as deep in each other.
   bool touchAt(double time) const;
 
+  /// With a negative margin, the first contact that is as deep.
+  std::optional<Impact> deepImpact() const;
+  double precision() const { return precision_; }  ///< of where points are
+  double speed() const { return speed_; }          ///< no point of one moves faster against the other one
+
  private:
+  friend class DeepImpact;
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
 
@@ -36,9 +42,10 @@ class MovingContact {
   const Motion &motion_a_, &motion_b_;
   const MovingPair pair_;
   const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
-  double touch_margin_;         ///< within which they touch
-  int steps_left_ = 1 << 21;    ///< of endOfContact(), for all contacts together
-  double speed_;                ///< no point of one moves faster against the other one
+  double precision_;
+  double touch_margin_;  ///< within which they touch
+  int steps_left_;       ///< of endOfContact(), for all contacts together
+  double speed_;
 };
 
 /// conflicts() of arguments that have been checked. If `leaves_out`, contact that lasts from the begin is left out;

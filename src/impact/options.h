@@ -13,7 +13,7 @@ namespace tricover::detail {
 
 inline void checkOptions(const ImpactOptions& options) {
   requireFiniteNotNegative(options.time_error, "time_error");
-  requireFiniteNotNegative(options.margin, "margin");
+  requireFiniteMargin(options.margin, "margin");
 }
 
 /// The options for a motion over an interval of that length, as time from 0 to 1.

@@ -138,6 +138,23 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
   return describe(pair, found);
 }
 
+void swapOperands(std::optional<Impact>& impact) {
+  if (!impact) return;
+  impact->normal = -impact->normal;
+  std::swap(impact->edge_a, impact->edge_b);
+}
+
+/// With a negative margin.
+[[gnu::cold, gnu::noinline]] std::optional<Impact> deepImpact(const Polygon& a, const Motion& motion_a,
+                                                              const Polygon& b, const Motion& motion_b,
+                                                              const ImpactOptions& options) {
+  if (inOrder(a.data(), motion_a, b.data(), motion_b))
+    return MovingContact(a, motion_a, b, motion_b, options).deepImpact();
+  std::optional<Impact> impact = MovingContact(b, motion_b, a, motion_a, options).deepImpact();
+  swapOperands(impact);
+  return impact;
+}
+
 }  // namespace
 }  // namespace detail
 
@@ -145,14 +162,12 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
                                    const ImpactOptions& options) {
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
-  const auto first = detail::inKernelOrder(
-      a.data(), motion_a, b.data(), motion_b,
-      [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
-      [](std::optional<Impact>& impact) {
-        if (!impact) return;
-        impact->normal = -impact->normal;
-        std::swap(impact->edge_a, impact->edge_b);
-      });
+  const auto first = options.margin < 0
+                         ? detail::deepImpact(a, motion_a, b, motion_b, options)
+                         : detail::inKernelOrder(
+                               a.data(), motion_a, b.data(), motion_b,
+                               [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
+                               detail::swapOperands);
   if (!options.ignore_initial || !first) return first;
   detail::MovingContact contact(a, motion_a, b, motion_b, options);
   if (!contact.touchAt(0)) return first;

@@ -43,6 +43,11 @@ inline void requireNotNegative(double value, const char* field) {
   if (!(value >= 0)) refuseLength(field, false);
 }
 
+/// Refuses a margin that is not finite. A negative one is an overlap that is allowed.
+inline void requireFiniteMargin(double margin, const char* field) {
+  if (!(margin - margin == 0)) refuse(field, "it must be finite");
+}
+
 inline void requireFiniteNotNegative(double value, const char* field) {
   if (!(value >= 0 && value <= std::numeric_limits<double>::max())) refuseLength(field, true);
 }

@@ -3,10 +3,12 @@
 
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "pair/allowed_overlap.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
@@ -66,9 +68,13 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
   return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
+[[gnu::cold, gnu::noinline]] bool collideDeeper(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                const Pose& pose_b, Certificate* cache, const CollideOptions& options);
+
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
              Certificate* cache, const CollideOptions& options) {
-  requireFiniteNotNegative(options.margin, "margin");
+  if (!(options.margin >= 0 && options.margin <= std::numeric_limits<double>::max()))
+    return collideDeeper(polygon_a, pose_a, polygon_b, pose_b, cache, options);
   requireFiniteNotNegative(options.tolerance, "tolerance");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
   const auto inOrder = [&](auto query) { return inKernelOrder(a, pose_a, b, pose_b, query, [](bool) {}); };
@@ -82,6 +88,16 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
     const std::optional<bool> renewed = renewCertificate(operands..., *cache, recollection, options);
     return renewed ? *renewed : collideAfresh(operands..., defectOf(pose_a, pose_b), options, nullptr);
   });
+}
+
+/// Where the margin is negative, or not finite.
+bool collideDeeper(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, Certificate* cache,
+                   const CollideOptions& options) {
+  requireFiniteMargin(options.margin, "margin");
+  requireFiniteNotNegative(options.tolerance, "tolerance");
+  if (!collide(a, pose_a, b, pose_b, cache, {})) return false;
+  const double depth = allowedOverlap(a, pose_a, b, pose_b, -options.margin).front().depth;
+  return options.touching == Touching::Allowed ? depth > -options.margin : depth >= -options.margin;
 }
 
 /// Where touching is allowed.

@@ -280,6 +280,7 @@ namespace {
 
 std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                        PairCacheContents* cache, const PenetrationOptions& options) {
+  requireFiniteNotNegative(options.margin, "margin");
   requireBounded(a, b);
   if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
   return inKernelOrder(

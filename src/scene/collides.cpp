@@ -27,11 +27,11 @@ class CollisionQuery {
   CollisionQuery(const SceneState& state, const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                  const BodyFilter& filter)
       : state_(state), polygon_(polygon), pose_(pose), options_(options), filter_(state.slots(filter)) {
-    detail::requireFiniteNotNegative(options.margin, "margin");
+    detail::requireFiniteMargin(options.margin, "margin");
     detail::requireFiniteNotNegative(options.tolerance, "tolerance");
     detail::requireTouching(options.touching);
     detail::requireRigid(pose, "pose");
-    bounds_ = boundsOf(polygon.data(), pose, options.margin);
+    bounds_ = boundsOf(polygon.data(), pose, detail::marginOfBox(options.margin));
   }
 
   /// Returns a body that collides. Discs come first: two inner discs that meet save the tests of all outlines, which
@@ -84,10 +84,10 @@ class CollisionQuery {
       const CollideOptions options = detail::withBody(options_, body.options);
       const detail::PolygonData& other = body.polygon.data();
       const detail::PosedPair pair(polygon_.data(), pose_, other, body.pose);
-      // The discs of points and segments have no interior.
-      const bool may_touch =
-          !detail::asksForInteriors(options) || !(polygon_.data().isDegenerate() || other.isDegenerate());
-      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && may_touch);
+      // The discs of points and segments have no interior. A depth is asked of outlines alone.
+      const bool discs_tell = options.margin >= 0 && (!detail::asksForInteriors(options) ||
+                                                      !(polygon_.data().isDegenerate() || other.isDegenerate()));
+      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && discs_tell);
     });
   }
 
@@ -101,8 +101,9 @@ class CollisionQuery {
     const auto& body = state_.bodies[slot];
     const CollideOptions options = detail::withBody(options_, body.options);
     if (collide(polygon_, pose_, body.polygon, body.pose, options)) return true;
-    if (options.touching == Touching::Collides)
-      body.clear.learn(body.polygon.data(), body.pose, body.options.margin, state_.tree.boundsOf(slot), bounds_);
+    if (options.touching == Touching::Collides && options.margin >= 0)
+      body.clear.learn(body.polygon.data(), body.pose, detail::marginOfBox(body.options.margin),
+                       state_.tree.boundsOf(slot), bounds_);
     return false;
   }
 

@@ -38,7 +38,7 @@ class SweptLeg {
   SweptLeg(const Polygon& polygon, const Leg& leg, double margin)
       : polygon_(polygon.data()),
         motion_(leg.motion),
-        margin_(margin),
+        margin_(detail::marginOfBox(margin)),
         begin_(leg.begin),
         duration_(leg.end - leg.begin),
         path_(detail::pathOf(motion_)),
@@ -215,7 +215,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     end = std::max(end, sweep.end());
   }
   // Boxes of bodies that stand still hold their own margins alone.
-  const double half = 0.5 * margin * (1 + 0x1p-40);
+  const double half = 0.5 * detail::marginOfBox(margin) * (1 + 0x1p-40);
   const double count = std::ceil(std::min(0.5 * most, kMostPairIntervals * static_cast<double>(legs)));
   std::vector<BodyPair> pairs;
   std::vector<detail::BoxTree::Entry> boxes(motions.size());

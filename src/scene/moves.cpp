@@ -21,7 +21,9 @@ constexpr double kOfAverage = 0.25;
 /// A count beyond this number of body sizes begins anew, so that steps aren't lost to rounding.
 constexpr double kLongestPath = 0x1p20;
 
-double sizeOf(const SceneState::BodyState& body) { return body.polygon.data().radius + body.options.margin; }
+double sizeOf(const SceneState::BodyState& body) {
+  return body.polygon.data().radius + marginOfBox(body.options.margin);
+}
 
 bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
 
@@ -38,7 +40,8 @@ bool staysCounted(const SceneState::BodyState& body, double step) {
 Bounds SceneState::newBox(Slot body) {
   BodyState& state = bodies[body];
   const double growth = std::min(kBoxSteps * state.step, sizeOf(state));
-  const Bounds box = boundsOf(state.polygon.data(), state.pose, state.options.margin + growth);  // may throw
+  const Bounds box =
+      boundsOf(state.polygon.data(), state.pose, marginOfBox(state.options.margin) + growth);  // may throw
   state.box_until = roundedDown<1>(state.moved + growth);
   return box;
 }

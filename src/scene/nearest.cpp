@@ -43,7 +43,7 @@ std::vector<BodyDistance> nearestBodies(const SceneState& state, const Polygon& 
     if (is_full && most == 0 && state.handleOf(slot) > best.back().body) return most;
     const auto& body = state.bodies[slot];
     DistanceOptions sum = options;
-    sum.margin = detail::marginSum(options.margin, body.options.margin);
+    sum.margin = detail::marginOfBox(detail::marginSum(options.margin, body.options.margin));
     auto result = distanceWithin(polygon, pose, body.polygon, body.pose, most, sum);
     // Another body's distance cuts off what this distance was rounded up by. The result must not depend on the order
     // in which bodies are visited.

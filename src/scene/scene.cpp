@@ -2,7 +2,7 @@
 #include "tricover/scene.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ namespace tricover {
 namespace {
 
 void checkBody(const Pose& pose, const BodyOptions& options) {
-  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireFiniteMargin(options.margin, "margin");
   detail::requireTouching(options.touching);
   detail::requireRigid(pose, "pose");
 }
@@ -25,8 +25,8 @@ void checkBody(const Pose& pose, const BodyOptions& options) {
 /// Names which of many it is.
 void checkBodies(const std::vector<BodyPlacement>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!(bodies[i].options.margin >= 0 && bodies[i].options.margin <= std::numeric_limits<double>::max()))
-      detail::requireFiniteNotNegative(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
+    if (!std::isfinite(bodies[i].options.margin))
+      detail::requireFiniteMargin(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
     detail::requireTouching(bodies[i].options.touching);
     detail::requireRigid(bodies[i].pose, "poses", i);
   }
@@ -105,7 +105,7 @@ const BodyOptions& Scene::options(Body body) const { return impl_->bodies[impl_-
 
 void Scene::setOptions(Body body, const BodyOptions& options) {
   const detail::Slot slot = impl_->slot(body);
-  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireFiniteMargin(options.margin, "margin");
   detail::requireTouching(options.touching);
   impl_->setOptions(slot, options);
 }

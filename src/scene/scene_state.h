@@ -174,8 +174,14 @@ void makeRoom(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));
 }
 
-/// The margin of two bodies: the sum, rounded, and at most the largest double.
-inline double marginSum(double p, double q) { return std::min(p + q, std::numeric_limits<double>::max()); }
+/// The margin of two bodies: the sum, rounded, and finite.
+inline double marginSum(double p, double q) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return std::max(std::min(p + q, kMost), -kMost);
+}
+
+/// What a margin adds to a box: a negative one leaves the box as it is.
+inline double marginOfBox(double margin) { return std::max(margin, 0.0); }
 
 /// The options of a query about one body: margins add up, and touching is allowed if either allows it.
 inline CollideOptions withBody(CollideOptions options, const BodyOptions& body) {

@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (bytes.byte() % 2 == 0) options.margin = bytes.anyDouble();
 
   const double defect = (pose.linear().transpose() * pose.linear() - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff();
-  const bool legal_length = options.margin >= 0 && std::isfinite(options.margin);
+  const bool legal_length = std::isfinite(options.margin);
   const bool finite = pose.matrix().allFinite() && legal_length;
   const bool may_pass = finite && defect < 2 * kRigidTolerance, must_pass = finite && defect < 0.5 * kRigidTolerance;
   try {

@@ -34,9 +34,9 @@ TEST(Scene, RefusesDeadHandlesAndBadNumbersAndStaysAsItWas) {
   bad.translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(scene.move(b, bad), std::invalid_argument);
   EXPECT_THROW(scene.add(kSquare, bad), std::invalid_argument);
-  BodyOptions negative;
-  negative.margin = -1;
-  EXPECT_THROW(scene.add(kSquare, pose(0, 0, 0), negative), std::invalid_argument);
+  BodyOptions endless;
+  endless.margin = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(scene.add(kSquare, pose(0, 0, 0), endless), std::invalid_argument);
   EXPECT_THROW(scene.impacts({{b, Motion()}, {b, Motion()}}), std::invalid_argument);
   EXPECT_THROW(scene.impacts({{a, Motion()}}), std::out_of_range);
   EXPECT_EQ(scene.size(), 1u);
@@ -117,9 +117,9 @@ TEST(Scene, TakesManyBodiesAtOnce) {
     }
   }
   const std::size_t before = scene.size();
-  BodyOptions negative;
-  negative.margin = -1;
-  EXPECT_THROW(scene.add({{kSquare, pose(0, 0, 0), {}}, {kSquare, pose(0, 0, 0), negative}}), std::invalid_argument);
+  BodyOptions endless;
+  endless.margin = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(scene.add({{kSquare, pose(0, 0, 0), {}}, {kSquare, pose(0, 0, 0), endless}}), std::invalid_argument);
   EXPECT_EQ(scene.size(), before);
 }
 
@@ -277,7 +277,7 @@ TEST(Scene, OptionsChangeInPlace) {
   EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{a, b}}));
   scene.setOptions(a, {});
   EXPECT_TRUE(scene.collisions().empty() && scene.ended().empty());
-  wide.margin = -1;
+  wide.margin = -std::numeric_limits<double>::infinity();
   EXPECT_THROW(scene.setOptions(a, wide), std::invalid_argument);
   EXPECT_EQ(scene.options(a).margin, 0);
 }

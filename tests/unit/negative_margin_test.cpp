@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A negative margin allows an overlap: regions collide where they are deeper in each other than that.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/conflicts.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/least_distance.h"
+#include "tricover/penetration.h"
+#include "tricover/ray.h"
+#include "tricover/scene.h"
+#include "tricover/segment.h"
+#include "tricover/time_of_impact.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kErrors[] = {1e-2, 1e-6, 1e-9, 1e-12};
+constexpr double kAllowed[] = {1e-9, 1e-6, 1e-3, 0.05};
+
+const Polygon kFloor = box(20, 1), kCrate = box(1, 1);
+/// A floor at height 0.5 with a wall at x = 1.5.
+const Polygon kRoom(Ring{{-10, -1}, {10, -1}, {10, 5}, {1.5, 5}, {1.5, 0.5}, {-10, 0.5}});
+
+Pose at(double x, double y) { return tricover::pose(x, y); }
+Motion still(double x, double y) { return Motion::still(at(x, y)); }
+Motion slide(double x, double y, const Vec2& shift) { return Motion::translation(at(x, y), shift); }
+
+ImpactOptions allowing(double overlap, double time_error = 1e-6, bool ignore_initial = false) {
+  ImpactOptions options;
+  options.margin = -overlap;
+  options.time_error = time_error;
+  options.ignore_initial = ignore_initial;
+  return options;
+}
+
+bool deeper(double overlap, const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
+            Touching touching = Touching::Collides) {
+  const CollideOptions options{-overlap, 0, touching};
+  const bool answer = collide(a, pose_a, b, pose_b, options);
+  EXPECT_EQ(collide(b, pose_b, a, pose_a, options), answer);
+  PairCache cache;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(collide(a, pose_a, b, pose_b, cache, options), answer);
+  EXPECT_TRUE(!answer || collide(a, pose_a, b, pose_b));
+  return answer;
+}
+
+void expectImpact(const std::optional<Impact>& impact, double time, double error) {
+  ASSERT_TRUE(impact);
+  EXPECT_FALSE(impact->budget_ended);
+  EXPECT_LE(impact->time, time + 1e-11);
+  EXPECT_GE(impact->time, time - error - 1e-11);
+  EXPECT_NEAR(impact->normal.norm(), 1, 1e-12);
+}
+
+TEST(NegativeMargin, ComparesDepths) {
+  // By a quarter, which is exact.
+  const Pose here = at(0, 0), quarter = at(0.75, 0.125);
+  EXPECT_FALSE(deeper(0.375, kCrate, here, kCrate, quarter));
+  EXPECT_TRUE(deeper(0.125, kCrate, here, kCrate, quarter));
+  EXPECT_TRUE(deeper(0.25, kCrate, here, kCrate, quarter));
+  EXPECT_FALSE(deeper(0.25, kCrate, here, kCrate, quarter, Touching::Allowed));
+  EXPECT_TRUE(deeper(0.25 - 0x1p-40, kCrate, here, kCrate, quarter, Touching::Allowed));
+  for (const double overlap : {5e-324, 1e-300, 1e-12, 1e300}) {
+    EXPECT_FALSE(deeper(overlap, kCrate, here, kCrate, at(1, 0.25))) << overlap;  // they touch
+    EXPECT_FALSE(deeper(overlap, kCrate, here, kCrate, at(1.5, 0))) << overlap;   // they are apart
+    EXPECT_EQ(deeper(overlap, kCrate, here, kCrate, here), overlap < 1);
+  }
+  // A plug that fits exactly, and what has no area.
+  const Polygon slot(Ring{{-3, -3}, {3, -3}, {3, 3}, {0.5, 3}, {0.5, -2}, {-0.5, -2}, {-0.5, 3}, {-3, 3}});
+  EXPECT_FALSE(deeper(1e-9, slot, here, kCrate, at(0, -1.5)));
+  EXPECT_FALSE(deeper(1e-9, slot, here, kCrate, at(0, 0)));
+  EXPECT_TRUE(deeper(1e-9, slot, here, kCrate, at(0.25, -1)));
+  EXPECT_FALSE(deeper(1e-9, kCrate, here, point({0.5, 0.1}), here));
+  EXPECT_TRUE(deeper(0.25, kCrate, here, point({0.25, 0.1}), here));
+  EXPECT_FALSE(deeper(0.5, kCrate, here, point({0.25, 0.1}), here));
+  EXPECT_FALSE(deeper(1e-9, segment({-1, 0}, {1, 0}), here, segment({0, 0}, {0, 1}), here));
+  // In a corner, on the floor and at the wall: each may be entered by as much, and no more.
+  for (const double floor : {0.0, 1e-9, 5e-7})
+    for (const double wall : {0.0, 1e-9, 5e-7})
+      EXPECT_FALSE(deeper(1e-6, kRoom, here, kCrate, at(1 + wall, 1 - floor)));
+  EXPECT_TRUE(deeper(1e-6, kRoom, here, kCrate, at(1 + 2e-6, 1)));
+  EXPECT_TRUE(deeper(1e-6, kRoom, here, kCrate, at(1, 1 - 2e-6)));
+}
+
+TEST(NegativeMargin, AgreesWithLocalDepthOfConvexPolygons) {
+  Random random(4);
+  int deep = 0, cases = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Polygon a(anyConvex(random, 1, 12)), b(anyConvex(random, 1, 12));
+    const Pose pose_a = support::pose(random.real(0, 6), 0, 0),
+               pose_b = support::pose(random.real(0, 6), random.real(-1.8, 1.8), random.real(-1.8, 1.8));
+    const auto way = penetration(a, pose_a, b, pose_b);
+    const double depth = way ? way->depth : 0, overlap = random.real(0.01, 0.6);
+    if (std::abs(depth - overlap) < 1e-12) continue;
+    ++cases;
+    deep += depth > overlap;
+    EXPECT_EQ(deeper(overlap, a, pose_a, b, pose_b), depth > overlap) << i;
+  }
+  EXPECT_GT(deep, cases / 5);
+  EXPECT_LT(deep, cases / 5 * 4);
+}
+
+TEST(NegativeMargin, RefusesWhatMeansNothing) {
+  const Pose here = at(0, 0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {-kInfinity, kInfinity, std::nan("")}) {
+    EXPECT_THROW(collide(kCrate, here, kCrate, here, {bad, 0}), std::invalid_argument);
+    EXPECT_THROW(timeOfImpact(kCrate, still(0, 0), kCrate, still(0, 0), allowing(bad)), std::invalid_argument);
+    EXPECT_THROW(conflicts(kCrate, still(0, 0), kCrate, still(0, 0), allowing(bad)), std::invalid_argument);
+    Scene scene;
+    EXPECT_THROW(scene.colliding(kCrate, here, {bad, 0}), std::invalid_argument);
+  }
+  EXPECT_THROW(collide(kCrate, here, kCrate, here, {-1, -1}), std::invalid_argument);
+  EXPECT_THROW(distance(kCrate, here, kCrate, here, {-1}), std::invalid_argument);
+  EXPECT_THROW(penetration(kCrate, here, kCrate, here, {-1}), std::invalid_argument);
+  EXPECT_THROW(contacts(kCrate, here, kCrate, here, {-1}), std::invalid_argument);
+  EXPECT_THROW(crossings(kCrate, here, kCrate, here, {-1}), std::invalid_argument);
+  EXPECT_THROW(castRay(kCrate, here, {0, 0}, {1, 1}, {-1}), std::invalid_argument);
+  EXPECT_THROW(leastDistance(kCrate, still(0, 0), kCrate, still(0, 0), {-1}), std::invalid_argument);
+}
+
+TEST(NegativeMargin, ACrateSlidesOnAFloorLeavesAndDocks) {
+  for (const double error : kErrors)
+    for (const double overlap : kAllowed) {
+      SCOPED_TRACE(::testing::Message() << "time error " << error << ", allowed " << overlap);
+      const ImpactOptions options = allowing(overlap, error);
+      const auto impact = [&](const Motion& motion) {
+        return timeOfImpact(kFloor, still(0, 0), kCrate, motion, options);
+      };
+      for (const double above : {0.0, -overlap / 2, overlap / 2}) {
+        EXPECT_FALSE(impact(slide(-2, 1 + above, {4, 0})));
+        EXPECT_FALSE(impact(slide(-2, 1 + above, {40, 0})));
+        EXPECT_FALSE(impact(slide(-2, 1 + above, {1, 3})));
+        EXPECT_TRUE(conflicts(kFloor, still(0, 0), kCrate, slide(-2, 1 + above, {4, 0}), options).empty());
+      }
+      EXPECT_FALSE(impact(slide(-15, 4, {13, -3})));  // docks
+      EXPECT_FALSE(impact(slide(-2, 4, {0, -3 - overlap / 2})));
+      EXPECT_FALSE(impact(Motion::spline({{-5, 1}, 0, {6, 0}, 0}, {{5, 1}, 0, {8, 0}, 0})));
+      // They rotate alike, and both move alike.
+      Motion a = still(0, 0), b = still(-2, 1);
+      a.angle = b.angle = 1;
+      b.pivot = Vec2(2, -1);
+      EXPECT_FALSE(timeOfImpact(kFloor, a, kCrate, b, options));
+      EXPECT_FALSE(timeOfImpact(kFloor, slide(0, 0, {3, 1}), kCrate, slide(-2, 1, {3, 1}), options));
+      // Down into the floor.
+      expectImpact(impact(slide(-2, 1, {0, -1})), overlap, error);
+      // It tips over its corner, onto the next side, and on into the floor.
+      Motion tips = still(-2, 1);
+      tips.pivot = Vec2(0.5, -0.5);
+      tips.angle = -2;
+      const auto tipped = impact(tips);
+      ASSERT_TRUE(tipped);
+      EXPECT_NEAR(tipped->time, M_PI / 4, overlap + error);
+      EXPECT_GE(tipped->time, M_PI / 4 - 1e-9);
+    }
+}
+
+TEST(NegativeMargin, ACrateSlidesIntoAWallOfTheFloorsOwnPolygon) {
+  for (const double error : kErrors)
+    for (const double overlap : kAllowed) {
+      SCOPED_TRACE(::testing::Message() << "time error " << error << ", allowed " << overlap);
+      const auto impact = timeOfImpact(kRoom, still(0, 0), kCrate, slide(-2, 1, {4, 0}), allowing(overlap, error));
+      expectImpact(impact, 0.75 + overlap / 4, error);
+      EXPECT_NEAR(impact->normal.x(), -1, 1e-6);
+      const auto swapped = timeOfImpact(kCrate, slide(-2, 1, {4, 0}), kRoom, still(0, 0), allowing(overlap, error));
+      ASSERT_TRUE(swapped);
+      EXPECT_EQ(swapped->time, impact->time);
+      EXPECT_EQ(swapped->normal, -impact->normal);
+      // Up to the wall, and back.
+      Motion returns = slide(-2, 1, {12, 0});
+      returns.shift_2 = Vec2(-12, 0);
+      EXPECT_FALSE(timeOfImpact(kRoom, still(0, 0), kCrate, returns, allowing(overlap, error)));
+    }
+}
+
+TEST(NegativeMargin, ACorridorOfTheCratesOwnWidth) {
+  const Polygon walls({rectangle(-20, 0.5, 20, 2), rectangle(-20, -2, 20, -0.5)});
+  const Polygon slot(Ring{{-3, -3}, {3, -3}, {3, 3}, {0.5, 3}, {0.5, -2}, {-0.5, -2}, {-0.5, 3}, {-3, 3}});
+  for (const double overlap : kAllowed) {
+    SCOPED_TRACE(overlap);
+    EXPECT_FALSE(timeOfImpact(walls, still(0, 0), kCrate, slide(-30, 0, {60, 0}), allowing(overlap)));
+    EXPECT_TRUE(conflicts(walls, still(0, 0), kCrate, slide(-30, 0, {60, 0}), allowing(overlap)).empty());
+    // Into the slot, down to its end at 5.5 / 8: told as soon as all three walls are entered.
+    const auto impact = timeOfImpact(slot, still(0, 0), kCrate, slide(0, 4, {0, -8}), allowing(overlap));
+    ASSERT_TRUE(impact && !impact->budget_ended);
+    EXPECT_GE(impact->time, 5.5 / 8);
+    EXPECT_LE(impact->time, (5.5 + overlap) / 8 + 1e-9);
+  }
+}
+
+TEST(NegativeMargin, WhatStartsDeeper) {
+  const Polygon square = box(2, 2);
+  for (const double error : kErrors) {
+    SCOPED_TRACE(error);
+    const Motion passes = slide(0.5, 0, {10, 0}), returns = [] {
+      Motion motion = slide(0.5, 0, {20, 0});
+      motion.shift_2 = Vec2(-20, 0);
+      return motion;
+    }();
+    EXPECT_EQ(timeOfImpact(square, still(0, 0), square, passes, allowing(0.25, error))->time, 0);
+    EXPECT_FALSE(timeOfImpact(square, still(0, 0), square, passes, allowing(0.25, error, true)));
+    // Less deep than 0.25 from x = 1.75 on, which is at 0.125.
+    const auto first = conflicts(square, still(0, 0), square, passes, allowing(0.25, error));
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_EQ(first[0].impact.time, 0);
+    EXPECT_NEAR(first[0].end, 0.125, error + 1e-8);
+    EXPECT_GE(first[0].end, 0.125 - 1e-12);
+    EXPECT_TRUE(conflicts(square, still(0, 0), square, passes, allowing(0.25, error, true)).empty());
+    // 0.5 + 20 t (1 - t) is 1.75 again at 0.5 (1 + sqrt(0.75)).
+    const double back = 0.5 * (1 + std::sqrt(0.75));
+    expectImpact(timeOfImpact(square, still(0, 0), square, returns, allowing(0.25, error, true)), back, error + 1e-9);
+  }
+}
+
+TEST(NegativeMargin, ConflictsAlongTrajectories) {
+  std::vector<TimedPose> waypoints;
+  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), at(-9 + 0.3 * i, 1)});
+  const Trajectory rests({{0, 60, still(0, 0)}}), slides = Trajectory::through(waypoints);
+  EXPECT_FALSE(timeOfImpact(kFloor, rests, kCrate, slides, allowing(1e-6)));
+  EXPECT_TRUE(conflicts(kFloor, rests, kCrate, slides, allowing(1e-6)).empty());
+  // At the wall when its right side is at 1.5: (1 + 9) / 0.3.
+  const auto found = conflicts(kRoom, rests, kCrate, slides, allowing(1e-6, 1e-3));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].impact.time, 10 / 0.3, 2e-3);
+  EXPECT_EQ(found[0].end, 60);
+  EXPECT_FALSE(found[0].budget_ended);
+}
+
+/// Two jaws that grip a bar, each by less than is allowed: neither a translation nor shrinking frees them. The search
+/// goes by steps, and says so if they end.
+TEST(NegativeMargin, ASearchThatEndsSaysSo) {
+  const Polygon jaws({rectangle(-1, 0.45, 1, 0.6), rectangle(-1, -0.6, 1, -0.45)}),
+      bar({rectangle(-20, -0.5, 20, 0.5)});
+  EXPECT_FALSE(timeOfImpact(bar, still(0, 0), jaws, slide(-9, 0, {1e-3, 0}), allowing(0.0501)));
+  const auto impact = timeOfImpact(bar, still(0, 0), jaws, slide(-9, 0, {18, 0}), allowing(0.0501));
+  ASSERT_TRUE(impact);
+  EXPECT_TRUE(impact->budget_ended);
+  EXPECT_GT(impact->time, 0);
+}
+
+TEST(NegativeMargin, InScenes) {
+  Scene scene;
+  BodyOptions rests;
+  rests.margin = -1e-6;
+  const Scene::Body room = scene.add(kRoom, at(0, 0)), crate = scene.add(kCrate, at(-2, 1 - 1e-9), rests),
+                    other = scene.add(kCrate, at(-4, 1 - 1e-9), rests);
+  EXPECT_TRUE(scene.collisions().empty());
+  for (int i = 0; i < 100; ++i) {
+    scene.move(crate, at(-2 + 0.04 * i, 1 - 1e-9));
+    EXPECT_EQ(scene.collisions().empty(), i <= 75) << i;
+  }
+  scene.move(crate, at(-2, 1));
+  scene.move(other, at(-4, 1));
+  EXPECT_TRUE(scene.collisions().empty());
+  scene.setOptions(crate, {});
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  scene.setOptions(crate, rests);
+  EXPECT_TRUE(scene.collisions().empty());
+  // Margins of a body and of a query add up.
+  EXPECT_TRUE(scene.collides(kCrate, at(3, 0.5)));
+  EXPECT_FALSE(scene.collides(kCrate, at(-7, 1), {-1e-6, 0}));
+  EXPECT_TRUE(scene.collides(kCrate, at(-7, 1)));
+  EXPECT_EQ(scene.colliding(kCrate, at(-3, 2)).size(), 0u);
+  EXPECT_EQ(scene.colliding(kCrate, at(-3, 2), {1e-6, 0}).size(), 2u);
+  EXPECT_EQ(scene.colliding(kCrate, at(-2.5, 1.5), {-0.25, 0}), std::vector<Scene::Body>{crate});
+  // Where nothing is deep enough, the large body learns no box that is clear.
+  const Polygon speck = box(0.1, 0.1);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(scene.collides(speck, at(5, 2), {-5, 0}));
+  EXPECT_TRUE(scene.collides(speck, at(5, 2)));
+  const auto impact = scene.firstImpact(kCrate, slide(-8, 1, {16, 0}), allowing(1e-6));
+  ASSERT_TRUE(impact);
+  EXPECT_EQ(impact->body, other);
+  const auto pairs = scene.impacts({{crate, slide(-2, 1, {4, 0})}});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].pair, (BodyPair{room, crate}));
+  EXPECT_NEAR(pairs[0].impact.time, 0.75, 1e-6);
+  EXPECT_EQ(scene.conflicts({{crate, Trajectory({{0, 1, slide(-2, 1, {4, 0})}})}}).size(), 1u);
+  // Distances and rays take a negative sum for none.
+  EXPECT_EQ(scene.nearest(kCrate, at(-2, 3), {}, BodyFilter::allBut(room))->result.distance, 1);
+  EXPECT_EQ(scene.castRay({-2, 3}, {-2, 0})->body, crate);
+}
+
+TEST(NegativeMargin, PosesOffRigidTheTinyAndTheHuge) {
+  for (const double size : {1e-200, 1e-6, 1e6, 1e200}) {
+    SCOPED_TRACE(size);
+    const Polygon room = kRoom.scaled(size), crate = kCrate.scaled(size);
+    const auto impact =
+        timeOfImpact(room, still(0, 0), crate, slide(-2 * size, size, {4 * size, 0}), allowing(1e-6 * size));
+    expectImpact(impact, 0.75 + 0.25e-6, 1e-6);
+  }
+  for (const double off : {4e-15, 1e-10, 4e-5}) {
+    Motion motion = slide(-2, 1 + 0.5 * off, {4, 0});
+    motion.start.linear() *= 1 + off;
+    const auto impact = timeOfImpact(kRoom, still(0, 0), kCrate, motion, allowing(1e-6));
+    ASSERT_TRUE(impact && !impact->budget_ended);
+    EXPECT_NEAR(impact->time, 0.75, 2 * off + 2e-6) << off;
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
