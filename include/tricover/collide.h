@@ -10,7 +10,12 @@ namespace tricover {
 
 /// The options of collide(). By default regions collide if they share a point.
 struct CollideOptions {
-  /// A world length, at least 0. Regions collide if their distance is at most the margin. Exact, equality included.
+  /// A world length, finite. Regions collide if their distance is at most the margin. Exact, equality included.
+  ///
+  /// A negative margin allows an overlap. Regions collide with a margin of -e if they are at least e deep in each other
+  /// (with Touching::Allowed: deeper than e): a component of their overlap is, by ContactDetail::LocalDepth of
+  /// contacts(), and no shorter translation separates the regions, by penetration(). (Beyond 4096 vertices the latter is
+  /// left out.) The answer is as precise as these depths.
   double margin = 0;
   /// A world length, at least 0. A tolerance makes queries faster: the answer is true up to a distance of margin, false
   /// above margin + tolerance, and either one in between.
@@ -25,12 +30,13 @@ struct CollideOptions {
 /// Exact for every finite input. The answer depends neither on the order of the arguments nor on earlier calls nor on
 /// the thread. Typical cost: O(log n + log m + k), where k counts pairs of edges in reach and rings that begin near.
 ///
-/// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, and for a margin or
-/// tolerance that is negative or not finite, and for a value that Touching doesn't have. The first query of a polygon
+/// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, for a margin that is
+/// not finite, for a tolerance that is negative or not finite, and for a value that Touching doesn't have. The first query of a polygon
 /// that comes near it builds its hierarchy, which throws std::length_error for more than 2^29 vertices.
 ///
 /// \snippet collide.cpp collide
 /// \snippet collide.cpp touching
+/// \snippet collide.cpp allowed overlap
 TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                              const CollideOptions& options = {});
 

@@ -35,8 +35,9 @@ constexpr std::uint32_t kEveryCategory = ~std::uint32_t{0};
 
 /// The properties of a body beside its polygon and pose.
 struct BodyOptions {
-  /// A world length, at least 0. Every query inflates the body by it. Margins of two bodies, and of a body and a query,
-  /// add up (rounded to the nearest double).
+  /// A world length, finite. Every query inflates the body by it. Margins of two bodies, and of a body and a query, add
+  /// up (rounded to the nearest double). A negative sum is an overlap that is allowed, as CollideOptions::margin says.
+  /// Distances and rays take a negative sum for 0.
   double margin = 0;
   std::uint32_t category = 1;  ///< Bits: the categories of the body.
   /// Bits: the categories that the body meets. Two bodies meet if each has a category of the other's mask.

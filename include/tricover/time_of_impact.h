@@ -11,8 +11,9 @@ namespace tricover {
 
 /// How exact a time of impact has to be.
 struct ImpactOptions {
-  /// A world length, at least 0 and finite. An impact is the first time at which the polygons are no farther apart than
-  /// this.
+  /// A world length, finite. An impact is the first time at which the polygons are no farther apart than this. With a
+  /// negative margin of -e it is the first time at which they are at least e deep in each other, as collide() with that
+  /// margin says: bodies that rest on each other slide and leave freely.
   double margin = 0;
   /// How much earlier than the first contact an impact may be reported. Time runs from 0 to 1.
   double time_error = 1e-6;
@@ -60,10 +61,18 @@ struct Impact {
 /// near thousands of others, or outlines that stay within rounding of each other. If it ends, the result is an impact
 /// at the time before which contact is excluded, with `budget_ended` set.
 ///
-/// Throws std::invalid_argument for motions that checkMotion() refuses, and for a time_error or a margin that is
-/// negative or not finite. Throws std::length_error as collide() does.
+/// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. An interval
+/// of time is free if one polygon has no contact in it once it is translated by no more than is allowed, or made
+/// smaller by as much; these are times of impact as above. Where neither is free, as of jaws that grip a bar, the search
+/// goes on by the overlap that is left until the allowed one. There the local depths of polygons that are not convex may
+/// jump, as components join, and an impact may be later by such a step. After 4096 steps the result has `budget_ended`
+/// set.
+///
+/// Throws std::invalid_argument for motions that checkMotion() refuses, for a margin that is not finite, and for a
+/// time_error that is negative or not finite. Throws std::length_error as collide() does.
 ///
 /// \snippet time_of_impact.cpp time of impact
+/// \snippet time_of_impact.cpp allowed overlap
 TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b,
                                                    const Motion& motion_b, const ImpactOptions& options = {});
 

@@ -15,6 +15,7 @@
 #include "impact/conflicts.h"
 #include "impact/options.h"
 #include "pair/allowed_overlap.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -140,8 +141,9 @@ class DeepImpact {
     return true;
   }
 
-  /// With b smaller about its S: no point is moved by more than is allowed.
+  /// With a convex b smaller about its S: no point is moved by more than is allowed.
   bool advanceShrunk() {
+    if (cornersOf(pair_.b_.data()) == nullptr) return true;
     const double factor = 1 - (1 - 0x1p-20) * (allowed_ / pair_.b_.radius());
     if (!(factor >= 0.5 && factor < 1)) return true;
     const Vec2 origin = pair_.b_.origin();

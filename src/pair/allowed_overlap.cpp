@@ -3,21 +3,36 @@
 
 #include "pair/discs.h"
 #include "polygon/convexity.h"
+#include "tricover/penetration.h"
 
 namespace tricover::detail {
+namespace {
 
-/// The local depth of a component with a notch, as of a crate in a room's corner, may be that of its hull.
+/// A search for the shortest translation would take too long beyond.
+constexpr std::size_t kMostVertices = 4096;
+
+}  // namespace
+
+/// The local depth of a component is at least the width of its hull: where it is small, the overlap is thin. Where it
+/// is large, as of a crate in a room's corner, a short translation may still separate the regions.
 std::vector<Contact> allowedOverlap(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                     double allowed) {
   ContactOptions options;
   options.detail = ContactDetail::LocalDepth;
-  std::vector<Contact> local = contacts(a, pose_a, b, pose_b, options);
-  if (local.size() != 1 || local.front().depth < allowed) return local;
-  if (cornersOf(a.data()) != nullptr && cornersOf(b.data()) != nullptr) return local;
-  if (depthOfDiscs(PosedPair(a.data(), pose_a, b.data(), pose_b), 0) > allowed) return local;
-  options.detail = ContactDetail::GlobalDepth;
-  std::vector<Contact> global = contacts(a, pose_a, b, pose_b, options);
-  return global.front().depth < local.front().depth ? global : local;
+  std::vector<Contact> found = contacts(a, pose_a, b, pose_b, options);
+  if (found.empty() || found.front().depth < allowed) return found;
+  const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+  if (cornersOf(pair.a) != nullptr && cornersOf(pair.b) != nullptr) return found;
+  if (depthOfDiscs(pair, 0) > allowed || pair.a.path.size() + pair.b.path.size() > kMostVertices) return found;
+  const std::optional<Penetration> way = penetration(a, pose_a, b, pose_b);
+  if (!way || !(way->depth < found.front().depth)) return found;
+  Contact& deepest = found.front();
+  deepest.point = way->point_a / 2 + way->point_b / 2;
+  deepest.normal = way->normal;
+  deepest.depth = way->depth;
+  deepest.edge_a = way->edge_a;
+  deepest.edge_b = way->edge_b;
+  return {deepest};
 }
 
 }  // namespace tricover::detail

@@ -7,8 +7,9 @@
 
 namespace tricover::detail {
 
-/// The overlap of two regions as a negative margin takes it: the contacts by their local depths, the deepest first. An
-/// overlap of one component that is as deep as `allowed` has its global depth, if that is less and matters.
+/// The overlap of two regions as a negative margin takes it: the contacts by their local depths, the deepest first. If
+/// these are as deep as `allowed`, and a shorter translation separates the regions, that one is the only contact; its
+/// `points` mean nothing.
 std::vector<Contact> allowedOverlap(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                                     double allowed);
 

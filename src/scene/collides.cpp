@@ -85,9 +85,9 @@ class CollisionQuery {
       const detail::PolygonData& other = body.polygon.data();
       const detail::PosedPair pair(polygon_.data(), pose_, other, body.pose);
       // The discs of points and segments have no interior. A depth is asked of outlines alone.
-      const bool discs_tell = options.margin >= 0 && (!detail::asksForInteriors(options) ||
-                                                      !(polygon_.data().isDegenerate() || other.isDegenerate()));
-      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && discs_tell);
+      const bool may_touch = options.margin >= 0 && (!detail::asksForInteriors(options) ||
+                                                     !(polygon_.data().isDegenerate() || other.isDegenerate()));
+      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && may_touch);
     });
   }
 

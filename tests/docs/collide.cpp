@@ -52,4 +52,16 @@ TEST(Documentation, Touching) {
   //! [touching]
 }
 
+TEST(Documentation, AllowedOverlap) {
+  //! [allowed overlap]
+  const tricover::Polygon floor = tricover::box(20, 1), crate = tricover::box(1, 1);
+  tricover::CollideOptions allowed;
+  allowed.margin = -1e-6;
+  const tricover::Pose here = tricover::Pose::Identity(), rests = tricover::pose(3, 1 - 1e-9);
+  EXPECT_TRUE(tricover::collide(floor, here, crate, rests));
+  EXPECT_FALSE(tricover::collide(floor, here, crate, rests, allowed));
+  EXPECT_TRUE(tricover::collide(floor, here, crate, tricover::pose(3, 0.9), allowed));
+  //! [allowed overlap]
+}
+
 }  // namespace

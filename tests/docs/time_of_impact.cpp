@@ -70,4 +70,19 @@ TEST(Documentation, LeastDistance) {
   //! [least distance]
 }
 
+TEST(Documentation, ImpactWithAllowedOverlap) {
+  //! [allowed overlap]
+  // A room with a wall on the right, and a crate that slides along the floor into the wall.
+  const tricover::Polygon room(tricover::Ring{{-10, -1}, {10, -1}, {10, 5}, {1.5, 5}, {1.5, 0.5}, {-10, 0.5}});
+  const tricover::Polygon crate = tricover::box(1, 1);
+  const tricover::Motion still = tricover::Motion::still(tricover::Pose::Identity());
+  const tricover::Motion slides = tricover::Motion::translation(tricover::pose(-2, 1), {4, 0});
+  EXPECT_EQ(tricover::timeOfImpact(room, still, crate, slides)->time, 0);  // it touches the floor
+
+  tricover::ImpactOptions allowed;
+  allowed.margin = -1e-6;
+  EXPECT_NEAR(tricover::timeOfImpact(room, still, crate, slides, allowed)->time, 0.75, 1e-6);
+  //! [allowed overlap]
+}
+
 }  // namespace

@@ -249,7 +249,7 @@ TEST(CollideOptions, NegativeOrNotFiniteLengthsAreRefusedByName) {
         return refusal([&] { collide(strategy, polygon, Pose::Identity(), polygon, Pose::Identity(), options); });
       };
       // A negative margin is an overlap that is allowed, which the paper does not know.
-      if (!(bad < 0) || strategy == Strategy::Paper) EXPECT_TRUE(names(ask({bad}), "tricover: margin: "));
+      EXPECT_EQ(names(ask({bad}), "tricover: margin: "), !(bad < 0) || strategy == Strategy::Paper);
       EXPECT_TRUE(names(ask({0, bad}), "tricover: tolerance: "));
     }
   }
@@ -263,7 +263,7 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     const StrategyCaches copy = caches;
     for (const Pose& bad : badPoses())
       EXPECT_THROW(collide(strategy, a, Pose::Identity(), b, bad, caches), std::invalid_argument);
-    EXPECT_THROW(collide(strategy, b, Pose::Identity(), b, Pose::Identity(), caches, {-1}), std::invalid_argument);
+    EXPECT_THROW(collide(strategy, b, Pose::Identity(), b, Pose::Identity(), caches, {kNaN}), std::invalid_argument);
     const detail::Certificate &cache = detail::contentsOf(caches.of_pair).collision,
                               &before = detail::contentsOf(copy.of_pair).collision;
     EXPECT_EQ(cache.first_id, before.first_id);

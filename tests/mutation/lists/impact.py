@@ -44,4 +44,7 @@ MUTATIONS = [
     ("src/impact/conflicts.cpp", "found.clearance + margin_ > travel", "found.clearance + margin_ >= 0", "conflicts: a step is proven by the depth at its begin"),
     ("src/impact/conflicts.cpp", "meetAt(time, margin_ - travel)", "meetAt(time, margin_)", "conflicts: a step is proven by what is left of the margin"),
     ("src/impact/motion.cpp", "length * length * (cubic.second + 3 * begin * cubic.third)", "length * length * cubic.second", "a part of a cubic motion"),
+    ("src/impact/conflicts.cpp", "return collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0});", "return collide(a_, pose_a, b_, pose_b, {margin_, 0});", "conflicts: a depth lasts for as long as one likes"),
+    ("src/impact/deep_impact.cpp", "motion_b.start.translation() += shift;", "", "negative margin: b stays where it is"),
+    ("src/pair/allowed_overlap.cpp", "if (!way || !(way->depth < found.front().depth)) return found;", "return found;", "negative margin: a corner is as deep as its hull"),
 ]
