@@ -14,8 +14,8 @@ struct CollideOptions {
   ///
   /// A negative margin allows an overlap. Regions collide with a margin of -e if they are at least e deep in each other
   /// (with Touching::Allowed: deeper than e): a component of their overlap is, by ContactDetail::LocalDepth of
-  /// contacts(), and no shorter translation separates the regions, by penetration(). (Beyond 4096 vertices the latter is
-  /// left out.) The answer is as precise as these depths.
+  /// contacts(), and no shorter translation separates the regions, by penetration(). (The latter is left out beyond 4096
+  /// vertices, and for complements.) The answer is as precise as these depths.
   double margin = 0;
   /// A world length, at least 0. A tolerance makes queries faster: the answer is true up to a distance of margin, false
   /// above margin + tolerance, and either one in between.

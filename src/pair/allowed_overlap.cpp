@@ -23,6 +23,7 @@ std::vector<Contact> allowedOverlap(const Polygon& a, const Pose& pose_a, const 
   if (found.empty() || found.front().depth < allowed) return found;
   const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
   if (cornersOf(pair.a) != nullptr && cornersOf(pair.b) != nullptr) return found;
+  if (pair.a.fill.is_complement || pair.b.fill.is_complement) return found;
   if (depthOfDiscs(pair, 0) > allowed || pair.a.path.size() + pair.b.path.size() > kMostVertices) return found;
   const std::optional<Penetration> way = penetration(a, pose_a, b, pose_b);
   if (!way || !(way->depth < found.front().depth)) return found;

@@ -245,6 +245,20 @@ TEST(NegativeMargin, ASearchThatEndsSaysSo) {
   EXPECT_GT(impact->time, 0);
 }
 
+/// A robot in a yard of which all the outside is forbidden.
+TEST(NegativeMargin, InsideOfAComplement) {
+  const Polygon outside = box(20, 10).complement(), robot = box(1, 1);
+  EXPECT_FALSE(deeper(1e-6, outside, at(0, 0), robot, at(3, 4.5 + 1e-9)));
+  EXPECT_TRUE(deeper(1e-6, outside, at(0, 0), robot, at(3, 4.5 + 1e-5)));
+  EXPECT_FALSE(timeOfImpact(outside, still(0, 0), robot, slide(-5, 4.5, {10, 0}), allowing(1e-6)));
+  EXPECT_FALSE(timeOfImpact(outside, still(0, 0), robot, slide(-5, 4.5, {10, -3}), allowing(1e-6)));
+  expectImpact(timeOfImpact(outside, still(0, 0), robot, slide(-5, 4.5, {0, 1}), allowing(1e-3)), 1e-3, 1e-6);
+  // Along one wall to the next.
+  const auto impact = timeOfImpact(outside, still(0, 0), robot, slide(-5, 4.5, {20, 0}), allowing(1e-6));
+  ASSERT_TRUE(impact && !impact->budget_ended);
+  EXPECT_NEAR(impact->time, 14.5 / 20, 1e-6);
+}
+
 TEST(NegativeMargin, InScenes) {
   Scene scene;
   BodyOptions rests;
