@@ -29,13 +29,13 @@ struct Conflict {
 /// - Whenever an interval says so, the polygons meet, or did or will by less than `time_error`. Being apart for less
 ///   than that may not be seen.
 ///
-/// Intervals are in order and don't overlap. An interval costs some ten collide()s, and two more for each `time_error`
-/// for as long as the polygons touch, or are within the margin, hardly deeper than they move meanwhile.
+/// Intervals are in order and don't overlap. Contact that lasts is proven by the features in contact: an interval costs
+/// some tens of collide()s, whatever `time_error` is.
 ///
-/// The search has a budget: that of each timeOfImpact(), and 2^21 steps along contacts, which a `time_error` of 1e-6 or
-/// more does not reach. If one of these ends, the last interval reaches to 1 and has `budget_ended` set.
-/// `ignore_initial` doesn't leave such an interval out. With a negative margin there are 2^14 steps, each as long as the
-/// overlap stays as deep by its depth and the speed, or half a `time_error`.
+/// The search has a budget: that of each timeOfImpact(), and 2^21 steps along contacts, for contrived inputs. If one of
+/// these ends, the last interval reaches to 1 and has `budget_ended` set. `ignore_initial` doesn't leave such an interval
+/// out. With a negative margin there are 2^14 steps, each as long as the overlap stays as deep by its depth and the
+/// speed, or half a `time_error`.
 ///
 /// Throws as timeOfImpact() does. A `time_error` below 1e-9 is taken for that.
 ///

@@ -18,11 +18,13 @@ struct SignedDistance {
 };
 
 /// Returns the distance of two closed regions where they are apart, and minus the depth of their penetration() where
-/// they overlap. It is 0 where they only touch. A margin is subtracted from either.
+/// they overlap. It is 0 where they only touch, unless they are wedged as penetration() says. The margin is subtracted
+/// from either.
 ///
-/// The distance is as precise as that of distance(), with the same errors allowed, and the depth as that of
-/// penetration(). The result is minus infinity where penetration() has no answer. Swapping the operands turns the
-/// normal round and swaps the points.
+/// The result is positive exactly where collide() with the same margin is false. The distance is as precise as that of
+/// distance(), with the same errors allowed, and the depth as that of penetration(). The result is minus infinity where
+/// penetration() has no answer. Swapping the operands turns the normal round and swaps the points, unless they are the
+/// same region at the same place.
 ///
 /// Throws as distance() does.
 ///

@@ -57,8 +57,8 @@ struct Impact {
 /// reported.
 ///
 /// The cost grows with the number of turns that the polygons make near each other. The search has a budget, which grows
-/// with the number of edges. It lasts for all but contrived inputs and contact that lasts: thousands of edges that come
-/// near thousands of others, or outlines that stay within rounding of each other. If it ends, the result is an impact
+/// with the number of edges. It lasts for all but contrived inputs: thousands of edges that come near thousands of
+/// others, or outlines that stay within rounding of each other. If it ends, the result is an impact
 /// at the time before which contact is excluded, with `budget_ended` set.
 ///
 /// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. An interval

@@ -10,6 +10,7 @@
 #include "numbers/rigidity.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
+#include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
 #include "tricover/collide.h"
 
@@ -20,13 +21,10 @@ namespace {
 /// What the poses at two times are wrong by, and how far off rigid they may be, is far less than this share of lengths.
 constexpr double kSpared = 1 + 0x1p-10;
 
-/// How fast a point of a polygon moves at the most, from time 0 to 1.
-double speedOf(const PolygonData& polygon, const Motion& motion) {
-  const Cubic<Vec2> path = pathOf(motion);
-  const Cubic<double> rotation = rotationOf(motion);
+/// How fast the points of a polygon move about its pivot at the most, from time 0 to 1.
+double speedAboutPivot(const PolygonData& polygon, const Motion& motion) {
   const Vec2 arm = polygon.origin - motion.pivot;
-  const double reach = std::hypot(arm.x(), arm.y()) + polygon.radius;
-  return (path.mostRate(0, 1) + rotation.mostRate(0, 1) * reach) * kSpared;
+  return rotationOf(motion).mostRate(0, 1) * (std::hypot(arm.x(), arm.y()) + polygon.radius);
 }
 
 /// In the kernel's order, with trees.
@@ -53,7 +51,9 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ < 0 ? margin_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
-      speed_(speedOf(a.data(), motion_a) + speedOf(b.data(), motion_b)) {
+      speed_(((pathOf(motion_a) - pathOf(motion_b)).mostRate(0, 1) + speedAboutPivot(a.data(), motion_a) +
+              speedAboutPivot(b.data(), motion_b)) *
+             kSpared) {
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
@@ -63,12 +63,12 @@ bool MovingContact::touchAt(double time) const {
 }
 
 /// Whether they certainly touch throughout: by how deep they are in each other, or within the margin, at the first
-/// time, as no two points approach or separate by more than `travel`; or by features that stay near.
+/// time, as no two points approach or separate by more than `travel`; or by features.
 bool MovingContact::meetUntil(double time, double next) const {
   const double travel = speed_ * (next - time) * kSpared;
   const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
   if (margin_ < 0) return collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0});
-  if (travel <= margin_ && collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0})) return true;
+  if (travel <= touch_margin_ && collide(a_, pose_a, b_, pose_b, {touch_margin_ - travel, 0})) return true;
   const Outcome found = inKernelOrder(
       a_.data(), pose_a, b_.data(), pose_b,
       [&](const auto&... operands) {
@@ -76,23 +76,49 @@ bool MovingContact::meetUntil(double time, double next) const {
       },
       [](const Outcome&) {});
   if (found.collides && found.clearance + margin_ > travel) return true;
-  return featuresStay(time, next);
+  return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
 }
 
-/// Whether two edges that touch at either time have an end that stays so near to the other edge: its distance from that
-/// is largest at one of both times, but for how far its path bends.
+/// The pair as it is asked, at a time.
+struct MovingContact::Posed {
+  Posed(const MovingPair& moving, double time)
+      : pose_a(moving.a.motion->at(time)),
+        pose_b(moving.b.motion->at(time)),
+        pair(*moving.a.polygon, pose_a, *moving.b.polygon, pose_b) {}
+  /// Two edges within the margin; one of them, or both, -1 where there are none.
+  Outcome edgesWithin(double margin) const {
+    CollideOptions options;
+    options.margin = margin;
+    return collideByHierarchy(pair, options, 0, Wanted::Edges);
+  }
+
+  const Pose pose_a, pose_b;
+  const PosedPair pair;
+};
+
+/// Whether one holds the other, and goes on to: by the edges that come near, none of which meet.
+bool MovingContact::staysContained(double time, double next, double travel) const {
+  const Posed posed(pair_, time);
+  const Outcome held = posed.edgesWithin(0);
+  if (!held.collides || (held.edge_a >= 0 && held.edge_b >= 0)) return false;
+  const TimeInterval interval(pair_, time, next);
+  bool meet = false;
+  forEachPair(posed.pair, travel, [&](double, std::size_t edge_a, std::size_t edge_b) {
+    meet = restOfEdges(interval, edge_a, edge_b).low <= 1;
+    return meet ? -1 : travel;
+  });
+  return !meet;
+}
+
+/// Whether two edges that touch at either time stay crossed, or have an end that stays so near to the other edge: its
+/// distance from that is largest at one of both times, but for how far its path bends.
 bool MovingContact::featuresStay(double time, double next) const {
-  if (!pair_.isInRange()) return false;
   const TimeInterval interval(pair_, time, next);
   for (const double at : {time, next}) {
-    const Pose pose_a = pair_.a.motion->at(at), pose_b = pair_.b.motion->at(at);
-    const PosedPair posed(*pair_.a.polygon, pose_a, *pair_.b.polygon, pose_b);
-    CollideOptions options;
-    options.margin = touch_margin_;
-    const Outcome touch = collideByHierarchy(posed, options, 0, Wanted::Edges);
+    const Outcome touch = Posed(pair_, at).edgesWithin(touch_margin_);
     if (touch.edge_a < 0 || touch.edge_b < 0) continue;
-    if (endStaysBeside(interval, static_cast<std::size_t>(touch.edge_a), static_cast<std::size_t>(touch.edge_b)))
-      return true;
+    const auto edge_a = static_cast<std::size_t>(touch.edge_a), edge_b = static_cast<std::size_t>(touch.edge_b);
+    if (endStaysBeside(interval, edge_a, edge_b) || edgesStayCrossed(interval, edge_a, edge_b)) return true;
   }
   return false;
 }

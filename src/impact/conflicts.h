@@ -35,8 +35,10 @@ class MovingContact {
 
  private:
   friend class DeepImpact;
+  struct Posed;
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
+  bool staysContained(double time, double next, double travel) const;
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;

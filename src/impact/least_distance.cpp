@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "impact/options.h"
@@ -12,6 +13,8 @@
 
 namespace tricover {
 namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
 
 void checkOptions(const LeastDistanceOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
@@ -35,8 +38,9 @@ LeastDistance leastOn(const Polygon& a, const Path& path_a, const Polygon& b, co
   double lower = 0;
   // Each step halves what is between the bounds, all of the range of doubles at most.
   for (int step = 0; step < 2200 && least.distance - lower > options.error; ++step) {
-    const double middle = step == 0 ? 0 : lower + 0.5 * (least.distance - lower), before = least.distance;
-    ImpactOptions closer{middle + options.margin, 0};
+    const double before = least.distance, middle = step == 0 ? 0 : lower + 0.5 * (std::min(before, kLargest) - lower);
+    if (step > 0 && !(lower < middle && middle < before)) break;  // they are neighbours
+    ImpactOptions closer{std::min(middle + options.margin, kLargest), 0};
     closer.absent_outside = options.absent_outside;
     const std::optional<Impact> impact = timeOfImpact(a, path_a, b, path_b, closer);
     if (!impact) {

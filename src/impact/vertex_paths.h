@@ -73,6 +73,7 @@ class VertexView {
     inverse_ = 1 / unit_;
     scale_ = (of_b ? pair.b : pair.a).scale * inverse_;
     seen_ = p.seen(q, inverse_);
+    rounding_ = 2 * pair.error * inverse_;
     limit_ = (pair.margin + 2 * pair.error) * inverse_;
     touch_ = (pair.margin + 4 * pair.error) * inverse_;
     near_ = (pair.margin + 8 * pair.error) * inverse_;
@@ -129,6 +130,13 @@ class VertexView {
     const double past =
         std::max(beyond[0], beyond[1]) + 0.25 * (path.chord_error - pull_.sparedAlong(edge.ux, edge.uy));
     return std::hypot(off, std::max(past, 0.0)) <= near_;
+  }
+
+  /// On which side of an edge's line the vertex stays: 1 on the left, -1 on the right, 0 if that isn't known.
+  int sideOf(const VertexPath& path, const EdgeInUnits& edge) const {
+    const Double2 aside = edge.beside(path).aside;
+    const double off = rounding_ + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));
+    return std::min(aside[0], aside[1]) > off ? 1 : std::max(aside[0], aside[1]) < -off ? -1 : 0;
   }
 
   /// Whether the two touch at the interval's end, or have passed each other by then.
@@ -199,6 +207,7 @@ class VertexView {
   const RotatingChordError& chord_error_;
   bool of_b_;
   double unit_, inverse_, scale_;
+  double rounding_;              ///< of gaps, in units
   double limit_, touch_, near_;  ///< in units: what a gap must exceed, what is near enough, and what stays in contact
   Places seen_;                  ///< the vertices' polygon, in units
   Vec2 pivot_;                   ///< of the polygon that is looked from
@@ -233,6 +242,17 @@ inline bool endStaysBeside(const TimeInterval& interval, std::size_t edge_a, std
                       [](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t) {
                         return view.staysBeside(path, edge);
                       });
+}
+
+/// Whether two edges cross throughout: the ends of either stay on different sides of the other one's line.
+inline bool edgesStayCrossed(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+  int sides[4], count = 0;
+  anyEndBeside(interval, edge_a, edge_b,
+               [&](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t) {
+                 sides[count++] = view.sideOf(path, edge);
+                 return false;
+               });
+  return sides[0] * sides[1] < 0 && sides[2] * sides[3] < 0;
 }
 
 /// The share of the interval that contact of two edges may lie in, which are apart at its begin; none if low > high. By

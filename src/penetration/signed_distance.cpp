@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/signed_distance.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "convex/posed_vertices.h"
+#include "distance/distance_result.h"
 #include "distance/options.h"
 #include "pair/kernel_order.h"
 #include "penetration/penetration.h"
@@ -20,18 +23,16 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
       [&](const auto&... operands) -> SignedDistance {
         if (meet) {
           const Penetration p = detail::penetrationInOrder(operands..., 0);
-          return {-options.margin - p.depth, p.normal, p.point_a, p.point_b, p.edge_a, p.edge_b};
+          return {0 - p.depth - options.margin, p.normal, p.point_a, p.point_b, p.edge_a, p.edge_b};
         }
-        // Errors are of what the margin leaves.
-        detail::DistanceQuery query;
-        if (options.margin == 0) query.DistanceOptions::operator=(options);
-        const auto [nearest, normal] = detail::nearestContact(detail::PosedPair(operands...), query);
-        return {nearest.distance - options.margin,
-                normal,
-                nearest.point_a,
-                nearest.point_b,
-                nearest.edge_a,
-                nearest.edge_b};
+        const detail::PosedPair pair(operands...);
+        const auto [nearest, normal] = detail::nearestContact(pair, {options});
+        // 0 exactly where they are within the margin: there the distance without one tells by how much.
+        const double within =
+            nearest.distance > 0 || options.margin == 0
+                ? 0
+                : std::min(detail::distanceInOrder(detail::PosedVertices(pair), {}).distance - options.margin, 0.0);
+        return {nearest.distance + within, normal, nearest.point_a, nearest.point_b, nearest.edge_a, nearest.edge_b};
       },
       [](SignedDistance& result) {
         result.normal = -result.normal;

@@ -92,7 +92,7 @@ TEST_P(DistanceOracle, AgreesWithExactRationals) {
           distance(c.a, c.pose_a, c.b, c.pose_b, options).distance != cold.distance)
         return "a limit changes it";
       if (distance(c.a, c.pose_a, c.b, c.pose_b, cache).distance != cold.distance) return "cache of other options";
-      return {};
+      return random.oneIn(3) ? wrongSignedDistance(c, random.coin() ? options.margin : 0) : "";
     }();
     if (problem.empty()) continue;
     if (++disagreements <= 3) {

@@ -52,6 +52,8 @@ void soakDistance(Run& run) {
       if (random.oneIn(8) && !support::wrongPoints(c, cold).empty()) return support::wrongPoints(c, cold);
       if (!random.oneIn(4)) return "";
       const support::LimitedOptions options = anyOptions(random, cold.distance);
+      const std::string wrong = random.oneIn(8) ? support::wrongSignedDistance(c, options.margin) : "";
+      if (!wrong.empty()) return wrong + ", margin " + support::hex(options.margin);
       PairCache cache;
       return support::wrongDistances(c, options, reference.distanceSquared(), cache);
     }();

@@ -6,6 +6,7 @@
 
 #include "cases.h"
 #include "contact_laws.h"
+#include "least_distance_laws.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"
@@ -131,6 +132,13 @@ void soakImpact(Run& run) {
       if (swapped.has_value() != impact.has_value() ||
           (impact && (impact->time != swapped->time || impact->normal != -swapped->normal)))
         problem += " swapped, the result differs";
+    }
+    if (problem.empty() && random.oneIn(8) && drawn.size > 1e-100 && length < 1e100) {
+      LeastDistanceOptions least;
+      least.error = drawn.size * std::pow(10, -random.real(1, 9));
+      least.margin = f.options.margin;
+      problem = support::wrongLeastDistance(f.start.a, f.motion_a, f.start.b, f.motion_b, least,
+                                            leastDistance(f.start.a, f.motion_a, f.start.b, f.motion_b, least), 12);
     }
     if (problem.empty()) continue;
     run.fail(drawn.family,

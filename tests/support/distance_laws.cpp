@@ -8,6 +8,9 @@
 
 #include "exact_reference.h"
 #include "reproduction.h"
+#include "tricover/collide.h"
+#include "tricover/penetration.h"
+#include "tricover/signed_distance.h"
 
 namespace tricover::support {
 namespace {
@@ -117,6 +120,29 @@ std::string wrongDistances(const Case& c, const LimitedOptions& options, const m
   const double apart = sgn(squared) == 0 ? 0 : std::max(exact::distanceBelow(squared), 0x1p-1074);
   const DistanceResult points{apart, cold.point_a, cold.point_b, cold.edge_a, cold.edge_b};
   return described(wrongPoints(c, points), "", cold.distance);
+}
+
+std::string wrongSignedDistance(const Case& c, double margin) {
+  DistanceOptions options;
+  options.margin = margin;
+  const SignedDistance s = signedDistance(c.a, c.pose_a, c.b, c.pose_b, options),
+                       turned = signedDistance(c.b, c.pose_b, c.a, c.pose_a, options);
+  const DistanceResult found{s.distance, s.point_a, s.point_b, s.edge_a, s.edge_b};
+  const DistanceResult other{turned.distance, turned.point_a, turned.point_b, turned.edge_a, turned.edge_b};
+  if (!isOneTwice(c) && !(same(found, swapped(other)) && s.normal == -turned.normal)) return "signed, swapped";
+  if ((s.distance > 0) == collide(c.a, c.pose_a, c.b, c.pose_b, {margin})) return "signed: sign";
+  if (!(std::abs(s.normal.norm() - 1) <= 1e-12)) return "signed: no unit vector";
+  if (const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b)) {
+    const DistanceResult deep{-p->depth - margin, p->point_a, p->point_b, p->edge_a, p->edge_b};
+    return same(found, deep) && s.normal == p->normal ? "" : "signed: penetration";
+  }
+  const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b),
+                       left = distance(c.a, c.pose_a, c.b, c.pose_b, options);
+  const double wanted = left.distance > 0 ? left.distance : std::min(apart.distance - margin, 0.0);
+  if (!same(found, {wanted, left.point_a, left.point_b, left.edge_a, left.edge_b})) return "signed: distance";
+  const Vec2 off = s.point_b - s.point_a - apart.distance * s.normal;
+  const bool leads = !off.allFinite() || off.stableNorm() <= 256 * rounding(c) + 1e-12 * apart.distance + 0x1p-1000;
+  return leads ? "" : "signed: the normal doesn't lead from point to point";
 }
 
 bool same(const DistanceResult& p, const DistanceResult& q) {

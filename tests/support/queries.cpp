@@ -13,10 +13,12 @@
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/contacts.h"
+#include "tricover/least_distance.h"
 #include "tricover/paper.h"
 #include "tricover/penetration.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
+#include "tricover/signed_distance.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -170,6 +172,16 @@ bool penetrationsAreAlike(const Case& c, const Question& q, const Answer& withou
   return q.margin > 0 || (n[2] == p[2] && (n[2] == 0 || std::abs(depth - p[0]) <= error));
 }
 
+Answer askSignedDistance(const Case& c, const Question& q) {
+  DistanceOptions options;
+  options.margin = q.margin;
+  const SignedDistance r = asked(c, q, [&](const auto&... pair) { return signedDistance(pair..., options); });
+  Telling telling(q);
+  if (q.touching == Touching::Collides) telling.meets(r.distance <= 0);
+  telling.number(r.distance).direction(r.normal).points(r.point_a, r.point_b).edges(r.edge_a, r.edge_b);
+  return telling.done();
+}
+
 /// b comes towards a and goes on, and turns by so much about its S.
 Motion motionOf(const Case& c, double angle) {
   Motion motion = Motion::still(c.pose_b);
@@ -194,6 +206,20 @@ Answer askImpact(const Case& c, const Question& q) {
   if (q.touching == Touching::Collides) telling.meets(impact && impact->time == 0);
   if (impact) telling.impact(*impact);
   return telling.done();
+}
+
+/// Infinite lengths are none that an error is small beside.
+Answer askLeastDistance(const Case& c, const Question& q) {
+  LeastDistanceOptions options;
+  options.margin = q.margin;
+  options.error = 0.01 * std::min(c.a.radius(), c.b.radius());
+  Telling telling(q);
+  if (!(options.error > 0 && std::isfinite(options.error))) return telling.done();
+  const Motion still = Motion::still(c.pose_a), moving = motionOf(c, 1);
+  const LeastDistance r =
+      q.swapped ? leastDistance(c.b, moving, c.a, still, options) : leastDistance(c.a, still, c.b, moving, options);
+  telling.number(r.distance).number(r.lower_bound).number(r.time).points(r.point_a, r.point_b);
+  return telling.edges(r.edge_a, r.edge_b).done();
 }
 
 Answer askConflicts(const Case& c, const Question& q) {
@@ -256,6 +282,8 @@ const std::vector<Query>& queries() {
       {"contacts", askContacts<ContactDetail::GlobalDepth>, exactlyAlike, false, false},
       {"crossings", askCrossings},
       {"penetration", askPenetration, penetrationsAreAlike, false, false},
+      {"signedDistance", askSignedDistance, nullptr, false, false},
+      {"leastDistance", askLeastDistance},
       {"timeOfImpact of a slide", askImpact<0>},
       {"timeOfImpact", askImpact<1>},
       {"conflicts", askConflicts, nullptr, true},

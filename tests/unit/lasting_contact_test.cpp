@@ -11,6 +11,7 @@
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
+#include "tricover/scene.h"
 #include "tricover/segment.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/trajectory.h"
@@ -98,28 +99,57 @@ TEST(LastingContact, OverManyFeatures) {
   EXPECT_TRUE(conflicts(floor, rests, crate, slides, within(1e-6, true)).empty());
 }
 
+/// A body that is sunk by a little, a rod through a floor, and what is held and leaves its edge slowly.
+TEST(LastingContact, ThatIsHardlyDeep) {
+  const Polygon floor = box(20, 1), crate = box(1, 1), rod = segment({0, -1}, {0, 1});
+  for (const double error : kErrors) {
+    SCOPED_TRACE(error);
+    for (const double sunk : {1e-3, 1e-6, 1e-9, 1e-11}) {
+      SCOPED_TRACE(sunk);
+      expectOne(conflicts(floor, still(0, 0), crate, slide(-5, 1 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      expectOne(conflicts(floor, still(0, 0), rod, slide(-5, 1.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      // Held, beside its edge.
+      expectOne(conflicts(floor, still(0, 0), point({0, 0}), slide(-5, 0.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      expectOne(conflicts(floor, still(0, 0), box(1, 0.25), slide(-5, 0.375 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      expectOne(conflicts(box(4, 4), still(0, 0), crate, slide(-1, 2.5 + 1 - sunk, {2, 0}), within(error, false, 1)), 0,
+                1, 0);
+    }
+    Motion along = slide(-5, 0.5, {10, 0});
+    along.shift_2 = Vec2(0, -0.75);
+    expectOne(conflicts(floor, still(0, 0), point({0, 0}), along, within(error)), 0, 1, 0);
+    expectOne(conflicts(floor, still(0, 0), box(1, 0.5), along, within(error)), 0, 1, 0);
+    const Motion alike = slide(1e-15, 0, {-3.5, 0.5});
+    EXPECT_LE(conflicts(point({0, 0}), slide(0, 0, {-3.5, 0.5}), point({0, 0}), alike, within(error)).size(), 1u);
+  }
+}
+
+double inDecimals(double value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return std::atof(text);
+}
+
 /// Docks written in decimals, of which many are a rounding apart or in each other.
 TEST(ContactAtTheStart, DocksAreLeftFreely) {
   int apart = 0, together = 0;
   for (int i = 1; i <= 20; ++i)
     for (int j = 1; j <= 40; ++j) {
-      const double of_floor = 0.05 * i, of_robot = 0.05 * j;
-      char text[16];
-      std::snprintf(text, sizeof text, "%.2f", of_floor + of_robot);
-      const double at = std::atof(text);
+      const double of_floor = inDecimals(0.05 * i), of_robot = inDecimals(0.05 * j),
+                   at = inDecimals(of_floor + of_robot);
+      SCOPED_TRACE(at);
       const Polygon floor({rectangle(-5, -of_floor, 5, of_floor)});
       const Polygon robot({rectangle(-0.5, -of_robot, 0.5, of_robot)});
       const bool touch = collide(floor, tricover::pose(0, 0), robot, tricover::pose(0, at));
       ++(touch ? together : apart);
-      EXPECT_FALSE(timeOfImpact(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true))) << text;
-      EXPECT_TRUE(conflicts(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true)).empty()) << text;
+      EXPECT_FALSE(timeOfImpact(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true)));
+      EXPECT_TRUE(conflicts(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true)).empty());
       // Down into it: there is no end of contact. Away and back: that is an impact.
-      EXPECT_FALSE(timeOfImpact(floor, still(0, 0), robot, slide(0, at, {0, -0.04}), within(1e-6, true))) << text;
+      EXPECT_FALSE(timeOfImpact(floor, still(0, 0), robot, slide(0, at, {0, -0.04}), within(1e-6, true)));
       Motion returns = slide(0, at, {0, 4});
       returns.shift_2 = Vec2(0, -8);
       const auto impact = timeOfImpact(floor, still(0, 0), robot, returns, within(1e-6, true));
-      ASSERT_TRUE(impact) << text;
-      EXPECT_NEAR(impact->time, 0.5, 2e-6) << text;
+      ASSERT_TRUE(impact);
+      EXPECT_NEAR(impact->time, 0.5, 2e-6);
     }
   EXPECT_GT(apart, 30);
   EXPECT_GT(together, 100);
@@ -158,6 +188,59 @@ TEST(ContactAtTheStart, PosesOffRigid) {
     ASSERT_TRUE(impact && !impact->budget_ended);
     EXPECT_NEAR(impact->time, exactly, 1e-5) << i;
   }
+}
+
+/// Two segments that stay as near to each other as that, or tip from there.
+TEST(ContactAtTheStart, SegmentsBesideEachOther) {
+  const Polygon rod = segment({0, 0}, {1, 0});
+  for (const double gap : {0.0, 3.4e-9, 1e-12, 1e-15})
+    for (const bool is_exact : {false, true})
+      for (const double angle : {0.0, 0.3, 2.0, -M_PI}) {
+        const Pose at = is_exact ? Pose(Pose::Identity()) : throughFloat(support::pose(0.7, 0, 0));
+        Motion above = Motion::still(at), along = Motion::still(at);
+        above.start.translation() += at.linear() * Vec2(0.25, gap);
+        along.start.translation() = above.start.translation();
+        above.angle = angle;
+        along.shift = at.linear() * Vec2(0.5, 0);
+        const auto tips = conflicts(rod, Motion::still(at), rod, above, within(1e-9));
+        for (const Conflict& c : tips) EXPECT_FALSE(c.budget_ended);
+        // It touches at the begin, or soon if it tips down, but for rounding.
+        if (gap == 0 || angle < 0) {
+          EXPECT_EQ(tips.size(), 1u) << gap << " " << angle;
+        }
+        if (gap > 1e-9 && angle >= 0) {
+          EXPECT_TRUE(tips.empty()) << gap << " " << angle;
+        }
+        EXPECT_TRUE(conflicts(rod, Motion::still(at), rod, along, within(1e-9, true)).size() <= 1);
+        if (gap == 0 && is_exact) expectOne(conflicts(rod, Motion::still(at), rod, along, within(1e-9)), 0, 1, 0);
+        expectOne(conflicts(rod, Motion::still(at), rod, along, within(1e-9, false, gap + 1e-9)), 0, 1, 0);
+        const auto closer = timeOfImpact(rod, Motion::still(at), rod, above, within(1e-12, false, gap + 1e-15));
+        EXPECT_TRUE(!closer || !closer->budget_ended);
+      }
+}
+
+/// One of a scene's bodies may be absent, or all of them.
+TEST(AbsentOutside, OfBodiesInAScene) {
+  const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}),
+      passes({{0, 20, slide(-10, 0, {20, 0})}});
+  Scene scene;
+  const BodyHandle a = scene.add(box(1, 1), still(0, 0).start), b = scene.add(box(1, 1), still(0, 0).start);
+  ImpactOptions all;
+  all.absent_outside = true;
+  const std::vector<BodyTrajectory> in_turn = {{a, first}, {b, second}};
+  EXPECT_EQ(scene.impacts(in_turn).size(), 1u);
+  EXPECT_TRUE(scene.impacts(in_turn, all).empty());
+  EXPECT_TRUE(scene.conflicts(in_turn, all).empty());
+  // The first one leaves while the second passes; otherwise it rests.
+  std::vector<BodyTrajectory> both = {{a, first}, {b, passes}};
+  ASSERT_EQ(scene.conflicts(both).size(), 1u);
+  EXPECT_NEAR(scene.conflicts(both)[0].conflict.end, 11, 1e-5);
+  both[0].absent_outside = true;
+  ASSERT_EQ(scene.conflicts(both).size(), 1u);
+  EXPECT_EQ(scene.conflicts(both)[0].conflict.end, 10);
+  EXPECT_EQ(scene.impacts(both).size(), 1u);
+  // A body without a trajectory is always there.
+  EXPECT_EQ(scene.impacts({{b, passes}}, all).size(), 1u);
 }
 
 TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies that start in contact, and contact that lasts: shifts against exact intervals, any motion against exact
+// distances at many times.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "lasting_contact_laws.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+double anyError(Random& random) { return std::pow(10, -random.integer(2, 12)); }
+
+/// A crate that slides along a floor past a gap in it, falls short of a wall, and passes a post at its margin.
+TEST(LastingContactOracle, KnowsIntervalsByHand) {
+  const Polygon floor({rectangle(-10, -1, 0, 0), rectangle(3, -1, 10, 0)});
+  MovingCase c{floor, {}, Polygon({rectangle(-1, 0, 0, 1)}), Motion::translation(Pose::Identity(), {8, 0})};
+  auto times = contactsOfShifts(c, 0);
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_EQ(times[0].begin, 0);
+  EXPECT_EQ(times[0].end, mpq_class(1, 8));
+  EXPECT_EQ(times[1].begin, mpq_class(3, 8));
+  EXPECT_EQ(times[1].end, 1);
+  c = {point({0, 0}), {}, point({0, 0}), Motion::translation(tricover::pose(-5, 3), {10, 0})};
+  times = contactsOfShifts(c, 5);
+  ASSERT_EQ(times.size(), 1u);
+  EXPECT_EQ(times[0].begin, mpq_class(1, 10));
+  EXPECT_EQ(times[0].end, mpq_class(9, 10));
+  EXPECT_EQ(contactsOfShifts(c, 3).size(), 1u);
+  EXPECT_EQ(contactsOfShifts(c, 2).size(), 0u);
+  // Held all of the time; and in a hole.
+  c = {Polygon({rectangle(-9, -9, 9, 9), rectangle(-3, -3, 3, 3)}), {}, box(1, 1), Motion::still(tricover::pose(6, 0))};
+  ASSERT_EQ(contactsOfShifts(c, 0).size(), 1u);
+  EXPECT_EQ(contactsOfShifts(c, 0)[0].end, 1);
+  c.motion_b = Motion::translation(Pose::Identity(), {5, 0});
+  ASSERT_EQ(contactsOfShifts(c, 0).size(), 1u);
+  EXPECT_EQ(contactsOfShifts(c, 0)[0].begin, mpq_class(1, 2));
+}
+
+TEST(LastingContactOracle, ShiftsAgreeWithExactIntervals) {
+  const int cases = scaledCount(6000);
+  LastingCounts counts;
+  int failures = 0;
+  for (int i = 0; i < cases && failures < 5; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 37000);
+    const MovingCase c = anyShiftFromContact(random);
+    const double error = anyError(random);
+    const std::string wrong = wrongWithShifts(c, error, counts);
+    if (wrong.empty()) continue;
+    ++failures;
+    ADD_FAILURE() << i << ": " << wrong << ", time error " << error << ", margin " << c.margin << "\n"
+                  << reproduction(c);
+  }
+  std::printf("%d cases, %d in contact at first, %d later, %d never, %d for long\n", counts.cases, counts.at_begin,
+              counts.later, counts.none, counts.lasting);
+  if (cases < 400) return;
+  EXPECT_GT(counts.at_begin, cases / 3);
+  EXPECT_LT(counts.at_begin, 95 * cases / 100);
+  EXPECT_GT(counts.later, cases / 40);
+  EXPECT_GT(counts.none, cases / 100);
+  EXPECT_GT(counts.lasting, cases / 4);
+}
+
+TEST(LastingContactOracle, MotionsAgreeWithSamples) {
+  const int cases = scaledCount(1500);
+  LastingCounts counts;
+  int failures = 0;
+  for (int i = 0; i < cases && failures < 5; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 73000);
+    const MovingCase c = anyMotionFromContact(random);
+    const double error = anyError(random);
+    const std::string wrong = wrongWithSamples(c, error, 60, counts);
+    if (wrong.empty()) continue;
+    ++failures;
+    ADD_FAILURE() << i << ": " << wrong << ", time error " << error << ", margin " << c.margin << "\n"
+                  << reproduction(c);
+  }
+  std::printf("%d cases, %d in contact at first, %d later, %d never, %d for long\n", counts.cases, counts.at_begin,
+              counts.later, counts.none, counts.lasting);
+  if (cases < 400) return;
+  EXPECT_GT(counts.at_begin, cases / 3);
+  EXPECT_LT(counts.at_begin, 95 * cases / 100);
+  EXPECT_GT(counts.later, cases / 20);
+  EXPECT_GT(counts.lasting, cases / 4);
+}
+
+}  // namespace
+}  // namespace tricover::support

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lasting_contact_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "least_distance_laws.h"
+#include "reference.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "tricover/conflicts.h"
+#include "tricover/penetration.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+struct ExactVector {
+  mpq_class x, y;
+  friend ExactVector operator-(const ExactVector& p, const ExactVector& q) { return {p.x - q.x, p.y - q.y}; }
+};
+
+mpq_class cross(const ExactVector& p, const ExactVector& q) { return p.x * q.y - p.y * q.x; }
+mpq_class dot(const ExactVector& p, const ExactVector& q) { return p.x * q.x + p.y * q.y; }
+ExactVector exactly(const Vec2& p) { return {mpq_class(p.x()), mpq_class(p.y())}; }
+
+/// Rounded down, but for perfect squares.
+mpq_class rootOf(const mpq_class& square) {
+  const mpf_class number(square, 320);
+  return mpq_class(sqrt(number));
+}
+
+struct PosedRegion {
+  PosedRegion(const Polygon& polygon, const Pose& pose) : fill(polygon.fillRule()) {
+    const auto& m = pose.matrix();
+    const auto place = [&](const Vec2& v) {
+      const ExactVector p = exactly(v);
+      return ExactVector{mpq_class(m(0, 0)) * p.x + mpq_class(m(0, 1)) * p.y + mpq_class(m(0, 2)),
+                         mpq_class(m(1, 0)) * p.x + mpq_class(m(1, 1)) * p.y + mpq_class(m(1, 2))};
+    };
+    for (const Ring& ring : polygon.rings()) {
+      starts.push_back(place(ring[0]));
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        edges.emplace_back(place(ring[i]), place(ring[i + 1 < ring.size() ? i + 1 : 0]));
+    }
+  }
+
+  /// Of a point that is on no edge.
+  bool holds(const ExactVector& p) const {
+    int winding = 0;
+    for (const auto& [v, w] : edges) {
+      if ((v.y <= p.y) == (w.y <= p.y)) continue;
+      const int side = sgn(cross(w - v, p - v));
+      if (v.y <= p.y && side > 0) ++winding;
+      if (v.y > p.y && side < 0) --winding;
+    }
+    return fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
+  }
+
+  std::vector<std::pair<ExactVector, ExactVector>> edges;
+  std::vector<ExactVector> starts;
+  FillRule fill;
+};
+
+/// The times at which all conditions hold.
+class Cut {
+ public:
+  /// at_0 + t slope >= 0.
+  void require(const mpq_class& at_0, const mpq_class& slope) {
+    if (slope == 0) {
+      if (at_0 < 0) is_empty_ = true;
+      return;
+    }
+    const mpq_class root = -at_0 / slope;
+    if (slope > 0 && root > begin_) begin_ = root;
+    if (slope < 0 && root < end_) end_ = root;
+  }
+  void unite(std::optional<ExactInterval>& all) const {
+    if (is_empty_ || begin_ > end_) return;
+    if (!all) all = ExactInterval{begin_, end_};
+    if (begin_ < all->begin) all->begin = begin_;
+    if (end_ > all->end) all->end = end_;
+  }
+
+ private:
+  mpq_class begin_ = 0, end_ = 1;
+  bool is_empty_ = false;
+};
+
+/// When the point t `by` is within the margin of a convex ring of four corners, possibly flat.
+std::optional<ExactInterval> timesNear(const ExactVector (&corner)[4], const ExactVector& by, const mpq_class& margin) {
+  std::optional<ExactInterval> all;
+  const mpq_class area = cross(corner[1] - corner[0], corner[3] - corner[0]), square = dot(by, by);
+  Cut inside;
+  for (int i = 0; i < 4; ++i) {
+    const ExactVector &v = corner[i], side = corner[(i + 1) % 4] - v;
+    // Beside a side.
+    const mpq_class at_0 = cross(v, side), slope = -cross(by, side), length = dot(side, side);
+    if (area != 0) area > 0 ? inside.require(at_0, slope) : inside.require(-at_0, -slope);
+    if (length != 0) {
+      const mpq_class reach = margin == 0 ? mpq_class(0) : mpq_class(margin * rootOf(length));
+      Cut beside;
+      beside.require(reach - at_0, -slope);
+      beside.require(reach + at_0, slope);
+      beside.require(-dot(v, side), dot(by, side));
+      beside.require(length + dot(v, side), -dot(by, side));
+      beside.unite(all);
+    }
+    // Around a corner.
+    const mpq_class ahead = dot(v, by), left = ahead * ahead - square * (dot(v, v) - margin * margin);
+    if (left < 0 || (square == 0 && dot(v, v) > margin * margin)) continue;
+    Cut around;
+    if (square != 0) {
+      const mpq_class root = left == 0 ? mpq_class(0) : rootOf(left);
+      around.require(root - ahead, square);
+      around.require(root + ahead, -square);
+    }
+    around.unite(all);
+  }
+  if (area != 0) inside.unite(all);
+  return all;
+}
+
+std::vector<ExactInterval> merged(std::vector<ExactInterval> all) {
+  std::sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.begin < q.begin; });
+  std::vector<ExactInterval> result;
+  for (const ExactInterval& interval : all) {
+    if (result.empty() || interval.begin > result.back().end)
+      result.push_back(interval);
+    else if (interval.end > result.back().end)
+      result.back().end = interval.end;
+  }
+  return result;
+}
+
+bool isContact(const Conflict& c, const mpq_class& time) {
+  return mpq_class(c.impact.time) <= time && time <= mpq_class(c.end);
+}
+
+/// In order, between 0 and 1, and never at their budget.
+std::string wrongOrder(const std::vector<Conflict>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].budget_ended) return "a budget ended";
+    if (!(0 <= found[i].impact.time && found[i].impact.time <= found[i].end && found[i].end <= 1)) return "no interval";
+    if (i > 0 && !(found[i].impact.time > found[i - 1].end)) return "not in order";
+  }
+  return {};
+}
+
+std::string at(const char* what, const mpq_class& time) { return std::string(what) + " at " + hex(time.get_d()); }
+
+/// What is left without the initial contact, and the first impact.
+std::string wrongLater(const MovingCase& c, const ImpactOptions& options, const std::vector<Conflict>& found,
+                       const std::vector<Conflict>& later, bool starts_in_contact, double seen) {
+  const std::size_t left_out = starts_in_contact && !found.empty() && found[0].impact.time == 0 ? 1 : 0;
+  if (later.size() + left_out != found.size()) return "more or less than the initial one is left out";
+  for (std::size_t i = 0; i < later.size(); ++i)
+    if (std::abs(later[i].impact.time - found[i + left_out].impact.time) > seen)
+      return "others without the initial one";
+  const auto impact = timeOfImpact(c.a, c.motion_a, c.b, c.motion_b, options);
+  if (impact.has_value() == later.empty()) return "time of impact or not";
+  if (impact && std::abs(impact->time - later[0].impact.time) > seen) return "time of impact";
+  return {};
+}
+
+Case caseAt(const MovingCase& c, double time) { return {c.a, c.motion_a.at(time), c.b, c.motion_b.at(time)}; }
+
+/// No point of one moves faster against the other one.
+double speedOf(const MovingCase& c) {
+  const auto speed = [](const Polygon& p, const Motion& m) {
+    const double reach = p.radius() + (p.origin() - m.pivot).stableNorm();
+    return m.shift.stableNorm() + 2 * m.shift_2.stableNorm() + 3 * m.shift_3.stableNorm() +
+           (std::abs(m.angle) + 2 * std::abs(m.angle_2) + 3 * std::abs(m.angle_3)) * reach;
+  };
+  return speed(c.a, c.motion_a) + speed(c.b, c.motion_b);
+}
+
+Polygon anyOnGrid(Random& random) {
+  switch (random.integer(0, 6)) {
+    case 0:
+      return random.coin() ? segment({-2, 0}, {2, 0}) : point({0, 0});
+    case 1: {
+      Ring ring = star(random, random.integer(3, 8), 1, 4);
+      for (Vec2& v : ring) v = v.array().round();
+      return Polygon({ring});
+    }
+    case 2:
+      return Polygon({comb(random.integer(2, 4), 2, 1, 2)});
+    case 3:  // straight vertices, and a pocket
+      return Polygon({{{-4, -1}, {4, -1}, {4, 0}, {2, 0}, {2, -0.5}, {1, -0.5}, {1, 0}, {0, 0}, {-3, 0}, {-4, 0}}});
+    case 4:
+      if (random.coin()) return Polygon({rectangle(-5, -1, -2, 0), rectangle(1, -1, 2, 0), rectangle(4, -2, 5, 3)});
+      return Polygon({rectangle(-5, -1, 5, 0), rectangle(-5, 2, 5, 3)});
+    case 5:  // of sides whose lengths are integers
+      return Polygon({{{0, 0}, {4, 3}, {1, 7}, {-3, 4}}});
+    default:
+      return Polygon({rectangle(-random.integer(1, 4), -random.integer(1, 2), random.integer(1, 4), 1)});
+  }
+}
+
+}  // namespace
+
+std::string reproduction(const MovingCase& c) {
+  return reproduction({c.a, c.motion_a.start, c.b, c.motion_b.start}) + reproduction("motion_a", c.motion_a) +
+         reproduction("motion_b", c.motion_b);
+}
+
+double lengthOf(const MovingCase& c) { return c.margin + lengthOf(c.a, c.motion_a, c.b, c.motion_b); }
+
+std::vector<ExactInterval> contactsOfShifts(const MovingCase& c, const mpq_class& margin) {
+  const PosedRegion a(c.a, c.motion_a.start), b(c.b, c.motion_b.start);
+  const ExactVector by = exactly(c.motion_b.shift) - exactly(c.motion_a.shift);
+  std::vector<ExactInterval> all;
+  for (const auto& [v, w] : a.edges)
+    for (const auto& [p, q] : b.edges) {
+      const ExactVector corner[] = {v - p, w - p, w - q, v - q};
+      if (const auto times = timesNear(corner, by, margin)) all.push_back(*times);
+    }
+  all = merged(all);
+  // Between them, one may hold the other.
+  mpq_class last = 0;
+  const std::size_t count = all.size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    const mpq_class next = i < count ? all[i].begin : mpq_class(1), middle = (last + next) / 2;
+    const ExactVector moved{by.x * middle, by.y * middle};
+    const auto holds = [](const PosedRegion& one, const PosedRegion& other, const ExactVector& against) {
+      return std::any_of(other.starts.begin(), other.starts.end(),
+                         [&](const ExactVector& p) { return one.holds(p - against); });
+    };
+    const ExactVector back{-moved.x, -moved.y};
+    if (last < next && (holds(a, b, back) || holds(b, a, moved))) all.push_back({last, next});
+    if (i < count) last = all[i].end;
+  }
+  return merged(all);
+}
+
+std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& counts) {
+  const mpq_class margin = c.margin, length = lengthOf(c);
+  const std::vector<ExactInterval> truth = contactsOfShifts(c, margin),
+                                   wide = contactsOfShifts(c, margin + length * mpq_class("1/10000000000000"));
+  ImpactOptions options;
+  options.margin = c.margin;
+  options.time_error = error;
+  const std::vector<Conflict> found = conflicts(c.a, c.motion_a, c.b, c.motion_b, options);
+  const double seen = std::max(error, 1e-9) * (1 + 1e-6);
+  std::string wrong = wrongOrder(found);
+  if (!wrong.empty()) return wrong;
+  for (const ExactInterval& interval : truth)
+    if (std::none_of(found.begin(), found.end(),
+                     [&](const Conflict& f) { return isContact(f, interval.begin) && isContact(f, interval.end); }))
+      return at("missed", interval.begin);
+  // Nothing is told for longer than the error but what comes within rounding.
+  std::vector<ExactInterval> may_be = wide;
+  for (ExactInterval& interval : may_be) interval.begin -= seen, interval.end += seen;
+  may_be = merged(may_be);
+  for (const Conflict& f : found)
+    if (std::none_of(may_be.begin(), may_be.end(), [&](const ExactInterval& interval) {
+          return interval.begin <= f.impact.time && f.end <= interval.end;
+        }))
+      return at("apart", mpq_class(f.impact.time));
+  options.ignore_initial = true;
+  const std::vector<Conflict> later = conflicts(c.a, c.motion_a, c.b, c.motion_b, options);
+  const bool starts_in_contact = !truth.empty() && truth[0].begin == 0;
+  if (starts_in_contact || wide.empty() || wide[0].begin > 0)
+    wrong = wrongLater(c, options, found, later, starts_in_contact, seen);
+  if (!wrong.empty()) return wrong;
+  // The separation itself is none: what is told later is another contact.
+  const auto near = contactsOfShifts(c, margin + length * mpq_class("1/1000000000000000"));
+  if (!later.empty() && !near.empty() && near[0].begin == 0) {
+    const auto next = std::find_if(wide.begin(), wide.end(), [](const ExactInterval& i) { return i.begin > 0; });
+    if (next == wide.end() || next->begin > later[0].end + seen) return at("the separation", later[0].impact.time);
+  }
+  ++counts.cases;
+  counts.at_begin += starts_in_contact;
+  counts.later += !later.empty();
+  counts.none += found.empty();
+  for (const ExactInterval& interval : truth)
+    if (interval.end - interval.begin > 0.1) {
+      ++counts.lasting;
+      break;
+    }
+  return {};
+}
+
+std::string wrongWithSamples(const MovingCase& c, double error, int samples, LastingCounts& counts) {
+  ImpactOptions options;
+  options.margin = c.margin;
+  options.time_error = error;
+  const std::vector<Conflict> found = conflicts(c.a, c.motion_a, c.b, c.motion_b, options);
+  const double seen = std::max(error, 1e-9) * (1 + 1e-6), rounding = 1e-13 * lengthOf(c), speed = speedOf(c);
+  std::string wrong = wrongOrder(found);
+  std::vector<double> times;
+  for (int i = 0; i <= samples; ++i) times.push_back(static_cast<double>(i) / samples);
+  for (const Conflict& f : found)
+    for (const double share : {0.0, 0.01, 0.5, 0.99, 1.0})
+      times.push_back(f.impact.time + share * (f.end - f.impact.time));
+  bool at_begin = false;
+  for (std::size_t i = 0; i < times.size() && wrong.empty(); ++i) {
+    const double time = times[i];
+    const Case now = caseAt(c, time);
+    const Reference reference(now);
+    const Reference::Bounds apart = reference.distance();
+    bool surely = static_cast<double>(apart.high) < c.margin - rounding;
+    if (c.margin == 0 && apart.high == 0) {
+      const auto deep = penetration(now.a, now.pose_a, now.b, now.pose_b);
+      surely = deep && deep->lower_bound > rounding;
+    }
+    const bool told = std::any_of(found.begin(), found.end(),
+                                  [&](const Conflict& f) { return f.impact.time <= time && time <= f.end; });
+    if (surely && !told) wrong = at("they meet", mpq_class(time));
+    if (told && static_cast<double>(apart.low) > c.margin + rounding + speed * seen) wrong = at("far", mpq_class(time));
+    if (time == 0) at_begin = reference.within(c.margin);
+  }
+  if (!wrong.empty()) return wrong;
+  if (at_begin != (!found.empty() && found[0].impact.time == 0)) return "at the begin or not";
+  options.ignore_initial = true;
+  const std::vector<Conflict> later = conflicts(c.a, c.motion_a, c.b, c.motion_b, options);
+  wrong = wrongOrder(later);
+  if (wrong.empty() && at_begin) wrong = wrongLater(c, options, found, later, true, seen);
+  ++counts.cases;
+  counts.at_begin += at_begin;
+  counts.later += !later.empty();
+  counts.none += found.empty();
+  counts.lasting +=
+      std::any_of(found.begin(), found.end(), [](const Conflict& f) { return f.end - f.impact.time > 0.1; });
+  return wrong;
+}
+
+MovingCase anyShiftFromContact(Random& random) {
+  MovingCase c{anyOnGrid(random), {}, anyOnGrid(random), {}};
+  const auto turned = [&](Pose& pose) {
+    if (random.oneIn(3)) pose.linear() << 0, -1, 1, 0;
+    if (random.oneIn(4)) pose.linear() << 0.6, -0.8, 0.8, 0.6;
+  };
+  turned(c.motion_a.start);
+  turned(c.motion_b.start);
+  const auto edgeOf = [&](const Polygon& polygon, const Pose& pose, Vec2& on) {
+    const EdgeIndex edge = anyEdge(random, polygon);
+    const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge);
+    on = v + 0.25 * random.integer(0, 4) * (w - v);
+    return Vec2(w - v);
+  };
+  Vec2 on_a, on_b;
+  const Vec2 along_a = edgeOf(c.a, c.motion_a.start, on_a), along_b = edgeOf(c.b, c.motion_b.start, on_b);
+  Vec2 place = on_a - on_b;
+  if (random.oneIn(3)) {
+    c.margin = 0.25 * random.integer(1, 8);
+    if (!along_a.isZero(0)) place += c.margin * Vec2(along_a.y(), -along_a.x()) / along_a.norm();
+  }
+  if (random.oneIn(4)) place += 0x1p-52 * Vec2(random.integer(-4, 4), random.integer(-4, 4));
+  if (random.oneIn(3)) place += 0.25 * Vec2(random.integer(-24, 24), random.integer(-24, 24));
+  c.motion_b.start.translation() += place;
+  switch (random.integer(0, 4)) {
+    case 0:
+      c.motion_b.shift = 0.25 * random.integer(-12, 12) * along_a;
+      break;
+    case 1:
+      c.motion_b.shift = 0.25 * random.integer(-12, 12) * along_b;
+      break;
+    case 2:
+      c.motion_b.shift[random.integer(0, 1)] = 0.5 * random.integer(-20, 20);
+      break;
+    case 3:
+      break;
+    default:
+      c.motion_b.shift = 0.25 * Vec2(random.integer(-40, 40), random.integer(-40, 40));
+  }
+  if (random.oneIn(3)) {
+    c.motion_a.shift = 0.25 * Vec2(random.integer(-20, 20), random.integer(-20, 20));
+    c.motion_b.shift += c.motion_a.shift;
+  }
+  if (random.coin()) {
+    std::swap(c.a, c.b);
+    std::swap(c.motion_a, c.motion_b);
+  }
+  return c;
+}
+
+MovingCase anyMotionFromContact(Random& random) {
+  MovingCase c = anyShiftFromContact(random);
+  const Vec2 by = c.motion_b.shift - c.motion_a.shift;
+  switch (random.integer(0, 3)) {
+    case 0:  // both alike, about one place
+      for (Motion* motion : {&c.motion_a, &c.motion_b}) {
+        motion->pivot = motion->start.linear().inverse() * (Vec2(1, 2) - motion->start.translation());
+        motion->angle = 2;
+        motion->shift = Vec2(3, -1);
+      }
+      break;
+    case 1: {  // about a vertex, which may be the contact
+      const EdgeIndex edge = anyEdge(random, c.b);
+      c.motion_b.pivot = c.b.edgeStart(edge);
+      c.motion_b.angle = random.real(-6, 6);
+      if (random.coin()) c.motion_b.shift = c.motion_a.shift;
+      break;
+    }
+    case 2:  // to and fro along the shift
+      c.motion_b.shift_2 = 0.25 * random.integer(-12, 12) * by;
+      c.motion_b.shift_3 = 0.25 * random.integer(-12, 12) * by;
+      break;
+    default:
+      c.motion_b.angle = random.real(-3, 3);
+      c.motion_b.shift_2 = Vec2(random.real(-4, 4), random.real(-4, 4));
+      c.motion_a.angle_2 = random.coin() ? 0 : random.real(-3, 3);
+  }
+  return c;
+}
+
+}  // namespace tricover::support

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signed distances known by hand, and what moving along the normal does. tests/oracle/distance_oracle_test.cpp has the
+// laws of all families.
+#include "tricover/signed_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "random.h"
+#include "refusal.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+double signedAt(const Polygon& a, const Polygon& b, const Vec2& at, double margin = 0) {
+  DistanceOptions options;
+  options.margin = margin;
+  return signedDistance(a, Pose::Identity(), b, tricover::pose(at.x(), at.y()), options).distance;
+}
+
+TEST(SignedDistance, OfBoxesThatAreApartTouchAndOverlap) {
+  const Polygon square = box(4, 4);
+  EXPECT_EQ(signedAt(square, square, {5, 1}), 1);
+  EXPECT_EQ(signedAt(square, square, {7, 8}), 5);
+  EXPECT_EQ(signedAt(square, square, {4, 1}), 0);
+  EXPECT_EQ(signedAt(square, square, {4, 4}), 0);
+  EXPECT_NEAR(signedAt(square, square, {3.5, 1}), -0.5, 1e-14);
+  EXPECT_NEAR(signedAt(square, square, {0, 0}), -4, 1e-14);
+  const SignedDistance touch = signedDistance(square, tricover::pose(0, 0), square, tricover::pose(4, 1));
+  EXPECT_NEAR(touch.normal.x(), 1, 1e-12);
+  EXPECT_EQ(touch.edge_a, 1);
+  EXPECT_EQ(touch.edge_b, 3);
+}
+
+TEST(SignedDistance, MarginsAreSubtractedFromEither) {
+  const Polygon square = box(4, 4);
+  EXPECT_EQ(signedAt(square, square, {7, 8}, 1), 4);
+  EXPECT_EQ(signedAt(square, square, {7, 8}, 5), 0);
+  EXPECT_EQ(signedAt(square, square, {7, 8}, 6), -1);
+  EXPECT_EQ(signedAt(square, square, {4, 1}, 0.5), -0.5);
+  EXPECT_NEAR(signedAt(square, square, {3.5, 1}, 0.25), -0.75, 1e-14);
+  // A disc in a box, a rounding beside its margin.
+  EXPECT_EQ(signedAt(square, point({0, 0}), {3, 0}, 1), 0);
+  EXPECT_GT(signedAt(square, point({0, 0}), {nudged(3, 1), 0}, 1), 0);
+  EXPECT_LT(signedAt(square, point({0, 0}), {nudged(3, -1), 0}, 1), 0);
+}
+
+TEST(SignedDistance, OfDegeneratePolygons) {
+  const Polygon plate = box(2, 4), dot = point({0, 0}), rod = segment({0, -1}, {0, 1});
+  EXPECT_NEAR(signedAt(plate, dot, {0.75, 0}), -0.25, 1e-14);
+  EXPECT_NEAR(signedDistance(plate, tricover::pose(0, 0), dot, tricover::pose(0.75, 0)).normal.x(), 1, 1e-12);
+  EXPECT_EQ(signedAt(plate, dot, {1, 0}), 0);
+  EXPECT_EQ(signedAt(plate, rod, {3, 1}), 2);
+  EXPECT_NEAR(signedAt(plate, rod, {0.5, 0}), -0.5, 1e-14);
+  EXPECT_EQ(signedAt(dot, dot, {0, 0}), 0);
+  EXPECT_EQ(signedAt(rod, rod, {0, 0.5}), 0);
+  EXPECT_EQ(signedAt(rod, dot, {3, 5}), 5);
+}
+
+TEST(SignedDistance, OfRegionsThatAreNotConvex) {
+  const Polygon frame({rectangle(-5, -5, 5, 5), rectangle(-3, -3, 3, 3)});
+  EXPECT_EQ(signedAt(frame, box(2, 2), {0, 0}), 2);
+  EXPECT_EQ(signedAt(frame, box(2, 2), {2, 0}), 0);
+  EXPECT_NEAR(signedAt(frame, box(2, 2), {2.5, 0}), -0.5, 1e-11);
+  // A peg that is wedged in its slot leaves through the mouth.
+  const Polygon slot({{{-3, -3}, {3, -3}, {3, 3}, {1, 3}, {1, 0}, {-1, 0}, {-1, 3}, {-3, 3}}});
+  EXPECT_NEAR(signedAt(slot, box(2, 2), {0, 1.5}), -2.5, 1e-11);
+  EXPECT_GT(signedAt(slot, box(1.75, 1.75), {0, 1.5}), 0.1);
+}
+
+TEST(SignedDistance, OfAnySize) {
+  for (const double size : {1e-300, 1e-150, 1e-10, 1e10, 1e150, 1e290}) {
+    const Polygon square = box(4, 4).scaled(size);
+    EXPECT_NEAR(signedAt(square, square, Vec2(7, 8) * size) / size, 5, 1e-13) << size;
+    EXPECT_NEAR(signedAt(square, square, Vec2(3.5, 1) * size) / size, -0.5, 1e-13) << size;
+    EXPECT_NEAR(signedAt(square, square, Vec2(3.5, 1) * size, size) / size, -1.5, 1e-13) << size;
+  }
+}
+
+/// Of convex polygons, by no less than they are moved by.
+TEST(SignedDistance, MovingAlongTheNormalIncreasesIt) {
+  const int cases = scaledCount(3000);
+  int apart = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a({anyConvex(random, 1)}), b({anyConvex(random, random.real(0.1, 2))});
+    const Pose pose_a = randomPose(random, 1);
+    Pose pose_b = randomPose(random, 2);
+    const SignedDistance before = signedDistance(a, pose_a, b, pose_b);
+    const double by = random.real(0, 2);
+    pose_b.translation() += by * before.normal;
+    const double after = signedDistance(a, pose_a, b, pose_b).distance;
+    apart += before.distance > 0;
+    ASSERT_GE(after, before.distance + by - 1e-13) << i << ", " << before.distance;
+  }
+  EXPECT_GT(apart, cases / 5);
+  EXPECT_LT(apart, 4 * cases / 5 + 1);
+}
+
+TEST(SignedDistance, AllowsErrors) {
+  const Polygon disc({regular(500, 1)}), hole({regular(500, 4), regular(500, 3)});
+  const double exact = signedAt(disc, hole, {0.25, 0.125});
+  DistanceOptions options;
+  options.relative_error = 0.1;
+  const double near = signedDistance(disc, tricover::pose(0, 0), hole, tricover::pose(0.25, 0.125), options).distance;
+  EXPECT_GE(near, exact * (1 - 1e-14));
+  EXPECT_LE(near, exact * 1.1);
+}
+
+TEST(SignedDistance, RefusesWhatDistanceRefuses) {
+  const Polygon square = box(1, 1);
+  Pose skewed = Pose::Identity();
+  skewed.linear()(0, 0) = 2;
+  const auto refused = [&](const Pose& pose, const DistanceOptions& options) {
+    return refusal([&] { signedDistance(square, Pose::Identity(), square, pose, options); });
+  };
+  DistanceOptions options;
+  EXPECT_NE(refused(skewed, options).find("pose_b"), std::string::npos);
+  options.margin = std::numeric_limits<double>::infinity();
+  EXPECT_NE(refused(Pose::Identity(), options).find("margin"), std::string::npos);
+  options.margin = std::nan("");
+  EXPECT_NE(refused(Pose::Identity(), options).find("margin"), std::string::npos);
+  options.margin = 0;
+  options.relative_error = -1;
+  EXPECT_NE(refused(Pose::Identity(), options).find("relative_error"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tricover::support
