@@ -17,11 +17,14 @@ bool run(const std::string& directory, bool) {
        {"Contacts, by their detail", measureContactCosts()},
        {"With a cache and without", measureCaches()},
        {"A map of islands", measureIslands()},
-       {"Narrow gaps", measureGaps()}},
-      "- CPU time of one thread, medians, methods in turn; of narrow gaps the least of five means.\n"
+       {"Narrow gaps", measureGaps()},
+       {"Contact that lasts", measureLastingContact()},
+       {"Outward simplification", measureSimplification()}},
+      "- CPU time of one thread, medians, methods in turn; of narrow gaps and contact that lasts the least of five "
+      "means.\n"
       "- Containers: eight parts are taken out and placed anew. The scan tests all boxes, calls collide() "
       "where they meet,\n  and tests the container where a box leaves its hole.\n",
-      "Nanoseconds per query, or bytes where that is said");
+      "Nanoseconds per query, or bytes, or a vertex, where that is said");
 }
 
 }  // namespace tricover::bench

@@ -21,6 +21,12 @@ std::vector<Result> measureIslands();
 /// Bodies that rotate or slide close to another one: a column a gap.
 std::vector<Result> measureGaps();
 
+/// Bodies that start in contact, or whose contact lasts: a column a time_error.
+std::vector<Result> measureLastingContact();
+
+/// Maps, combs and noise simplified outwards: nanoseconds a vertex.
+std::vector<Result> measureSimplification();
+
 /// A part that is placed anew in a layout with its container, a polygon with a hole: a Scene beside a scan of boxes.
 std::vector<Result> measureContainers();
 

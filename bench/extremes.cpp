@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "exact_reference.h"
+#include "exact_shifts.h"
 #include "random.h"
 #include "report.h"
 #include "scenes/placed.h"
@@ -112,53 +113,10 @@ const std::vector<Sweep>& sweeps() {
 /// "1e-15".
 std::string powerOfTen(int exponent) { return "1e" + std::to_string(exponent); }
 
-struct ExactPoint {
-  mpq_class x, y;
-};
-
-mpq_class cross(const ExactPoint& p, const ExactPoint& q) { return p.x * q.y - p.y * q.x; }
-ExactPoint operator-(const ExactPoint& p, const ExactPoint& q) { return {p.x - q.x, p.y - q.y}; }
-
-struct ExactEdge {
-  ExactPoint v, w;
-};
-
-/// In the world.
-std::vector<ExactEdge> exactEdges(const Polygon& polygon, const Pose& pose) {
-  const auto world = [&](const Vec2& p) {
-    const auto row = [&](int i) {
-      return mpq_class(mpq_class(pose.linear()(i, 0)) * p.x() + mpq_class(pose.linear()(i, 1)) * p.y() +
-                       pose.translation()[i]);
-    };
-    return ExactPoint{row(0), row(1)};
-  };
-  std::vector<ExactEdge> edges;
-  for (std::size_t e = 0; e < polygon.vertexCount(); ++e)
-    edges.push_back({world(polygon.edgeStart(e)), world(polygon.edgeEnd(e))});
-  return edges;
-}
-
-/// When a vertex first meets an edge, of polygons that are apart at time 0 and of which one moves by `shift` without
-/// turning: exact but for the last rounding. Edges along the way are met at their ends, which others have, too.
+/// When polygons first meet that are apart at time 0, and of which one is shifted: exact but for the last rounding.
 double slidingImpact(const KnownScene& scene, const Motion& motion) {
-  const std::vector<ExactEdge> fixed = exactEdges(scene.fixed, scene.fixed_pose),
-                               moving = exactEdges(scene.moving, motion.start);
-  mpq_class first = 2;
-  const auto meet = [&](const std::vector<ExactEdge>& vertices, const std::vector<ExactEdge>& edges,
-                        const ExactPoint& shift) {
-    for (const ExactEdge& vertex : vertices)
-      for (const ExactEdge& edge : edges) {
-        const ExactPoint along = edge.w - edge.v, to = edge.v - vertex.v;
-        const mpq_class area = cross(shift, along);
-        if (area == 0) continue;
-        const mpq_class time = cross(to, along) / area, place = cross(to, shift) / area;
-        if (time >= 0 && time < first && place >= 0 && place <= 1) first = time;
-      }
-  };
-  const mpq_class x(motion.shift.x()), y(motion.shift.y());
-  meet(moving, fixed, {x, y});
-  meet(fixed, moving, {-x, -y});
-  return first > 1 ? kNoContact : first.get_d();
+  const auto contacts = exact::contactsOfShifts(scene.fixed, Motion::still(scene.fixed_pose), scene.moving, motion);
+  return contacts.empty() ? kNoContact : contacts[0].begin.get_d();
 }
 
 /// Slides from a tenth of the size before contact towards a tenth behind it.

@@ -78,7 +78,77 @@ Result measured(const char* input, const std::string& query, const std::function
   return result;
 }
 
+ImpactOptions withOptions(double time_error, double margin, bool ignore_initial) {
+  ImpactOptions options{margin, time_error};
+  options.ignore_initial = ignore_initial;
+  return options;
+}
+
 }  // namespace
+
+std::vector<Result> measureLastingContact() {
+  const Polygon ground = box(20, 1), crate = box(1, 1), robot = box(1, 0.8), square = box(2, 2);
+  const Polygon post({{{-0.25, -1}, {0.25, -1}, {0.25, 0}, {-0.25, 0}}}), corner({{{0, 0}, {1, 0.5}, {0.5, 1}}});
+  const Polygon rod = segment({0, 0}, {1, 0});
+  const auto from = [](double x, double y, const Vec2& shift) { return Motion::translation(pose(x, y), shift); };
+  const auto turned = [](const Pose& start, double angle) {
+    Motion motion = Motion::still(start);
+    motion.angle = angle;
+    return motion;
+  };
+  const Motion still, slide = from(-5, 1, {10, 0}), sunk = from(-5, 1 - 1e-9, {10, 0});
+  const Motion spline = Motion::spline({{-5, 1}, 0, {6, 0}, 0}, {{5, 1}, 0, {8, 0}, 0});
+  std::vector<TimedPose> way;
+  for (int i = 0; i <= 60; ++i) way.push_back({static_cast<double>(i), pose(-9 + 0.3 * i, 1)});
+  const Trajectory rests({{0, 60, still}}), minute = Trajectory::through(way);
+  Pose stretched = Pose::Identity(), rounded = pose(0, 0, 0.7);
+  stretched.linear() *= 1 + 4e-15;
+  rounded.linear() = rounded.linear().cast<float>().cast<double>();
+  Pose above = rounded, near = rounded;
+  above.translation() += rounded.linear() * Vec2(0, 1e-9), near.translation() += rounded.linear() * Vec2(0.25, 3.4e-9);
+  const Pose up = pose(0, 1e-9);
+  Pose stretched_up = stretched;
+  stretched_up.translation() = up.translation();
+  struct Row {
+    const char* input;
+    Polygon a;
+    Motion motion_a;
+    Polygon b;
+    Motion motion_b;
+    double margin = 0;
+  };
+  const std::vector<Row> rows = {
+      {"a crate slides along a floor", ground, still, crate, slide},
+      {"a crate slides, sunk by 1e-9", ground, still, crate, sunk},
+      {"a crate slides along a spline", ground, still, crate, spline},
+      {"a crate and its floor move alike", ground, from(0, 0, {3, 1}), crate, from(-2, 1, {3, 1})},
+      {"robots in lanes, margin 0.19", robot, from(-5, 0, {10, 0}), robot, from(5, 1, {-10, 0}), 0.19},
+      {"robots in lanes at their margin", robot, from(-5, 0, {10, 0}), robot, from(5, 1, {-10, 0}), 0.2},
+      {"robots in lanes, margin 0.21", robot, from(-5, 0, {10, 0}), robot, from(5, 1, {-10, 0}), 0.21},
+      {"a robot leaves its dock", ground, still, Polygon({support::rectangle(-0.5, -0.3, 0.5, 0.3)}),
+       from(0, 0.8, {0, 1})},
+      {"a square leaves another one", square, still, square, from(0, 2 - 10 * 0.18, {0, 10})},
+      {"a corner turns by -pi", post, still, corner, turned(up, -M_PI)},
+      {"a corner turns, off rigid by 4e-15", post, Motion::still(stretched), corner, turned(stretched_up, -M_PI)},
+      {"a corner turns, poses of floats", post, Motion::still(rounded), corner, turned(above, -M_PI)},
+      {"segments 3.4e-9 apart", rod, Motion::still(rounded), rod, turned(near, -M_PI)}};
+  std::vector<Result> results;
+  const auto measure = [&](const char* input, const auto& ask) {
+    results.push_back({{"lasting", input, "conflicts, and the first impact after contact"}});
+    for (const double error : {1e-2, 1e-6, 1e-9, 1e-12})
+      results.back().timings.push_back(
+          {"time_error " + shortNumber(error), Role::Ours, 1e9 * secondsOf([&] { ask(error); })});
+  };
+  for (const Row& r : rows) {
+    measure(r.input, "conflicts",
+            [&](double error) { conflicts(r.a, r.motion_a, r.b, r.motion_b, withOptions(error, r.margin, false)); });
+    measure(r.input, "impact after the first contact",
+            [&](double error) { timeOfImpact(r.a, r.motion_a, r.b, r.motion_b, withOptions(error, r.margin, true)); });
+  }
+  measure("a crate slides for 60 s",
+          [&](double error) { conflicts(ground, rests, crate, minute, withOptions(error, 0, false)); });
+  return results;
+}
 
 std::vector<Result> measureGaps() {
   std::vector<Result> results;

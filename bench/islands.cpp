@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "asked.h"
 #include "random.h"
 #include "scenes/placed.h"
+#include "shapes.h"
 #include "tricover/tricover.h"
 
 namespace tricover::bench {
@@ -14,17 +17,22 @@ constexpr double kCell = 0.05;  ///< metres; the robot has 0.6 x 0.4
 constexpr std::size_t kQueries = 2000;
 constexpr int kRounds = 3;
 
-/// One cell in two hundred is occupied, however large the map.
-Polygon speckled(std::size_t side) {
+/// The outline of the cells of a square that are occupied.
+template <typename IsOccupiedAt>
+Polygon mapOf(std::size_t side, const IsOccupiedAt& isOccupiedAt) {
   support::Random random(side);
   OccupancyGrid grid;
   grid.width = grid.height = side;
   grid.resolution = kCell;
-  grid.cells.resize(side * side);
-  for (std::int8_t& cell : grid.cells) cell = random.oneIn(200) ? 1 : 0;
+  for (std::size_t i = 0; i < side * side; ++i) grid.cells.push_back(isOccupiedAt(i % side, i / side, random) ? 1 : 0);
   const auto map = outline(grid);
   if (!map) throw std::runtime_error("islands: an empty map");
   return *map;
+}
+
+/// One cell in two hundred is occupied, however large the map.
+Polygon speckled(std::size_t side) {
+  return mapOf(side, [](std::size_t, std::size_t, support::Random& random) { return random.oneIn(200); });
 }
 
 struct Map {
@@ -80,6 +88,33 @@ std::vector<Pose> anyPoses(double size) {
 }
 
 }  // namespace
+
+std::vector<Result> measureSimplification() {
+  using support::Random;
+  // Racks in aisles, whose sides have noise, as a scanner's map has.
+  const auto isRack = [](std::size_t x, std::size_t y, Random& random) {
+    return x % 40 < 30 && y % 16 < (random.oneIn(8) ? 7u : 6u);
+  };
+  const auto isNoise = [](std::size_t, std::size_t, Random& random) { return random.coin(); };
+  const std::pair<const char*, Polygon> maps[] = {{"racks", mapOf(600, isRack)},
+                                                  {"noise", mapOf(100, isNoise)},
+                                                  {"a comb", Polygon({support::comb(1024, 0.2, 0.1, 1)})}};
+  std::vector<Result> results;
+  for (const auto& [name, map] : maps) {
+    results.push_back({{"simplify", name, "outwards, a vertex", map.vertexCount(), 0, 1}});
+    for (const int cells : {1, 2}) {
+      double least = 1e9;
+      for (int round = 0; round < kRounds; ++round) {
+        const double start = threadSeconds();
+        map.simplified(cells * kCell, Simplify::Outwards);
+        least = std::min(least, threadSeconds() - start);
+      }
+      results.back().timings.push_back(
+          {"by " + std::to_string(cells) + " cells", Role::Ours, 1e9 * least / static_cast<double>(map.vertexCount())});
+    }
+  }
+  return results;
+}
 
 std::vector<Result> measureIslands() {
   std::vector<Result> results;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "exact_shifts.h"
 #include "lasting_contact_laws.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -21,26 +22,29 @@ double anyError(Random& random) { return std::pow(10, -random.integer(2, 12)); }
 TEST(LastingContactOracle, KnowsIntervalsByHand) {
   const Polygon floor({rectangle(-10, -1, 0, 0), rectangle(3, -1, 10, 0)});
   MovingCase c{floor, {}, Polygon({rectangle(-1, 0, 0, 1)}), Motion::translation(Pose::Identity(), {8, 0})};
-  auto times = contactsOfShifts(c, 0);
+  const auto contacts = [&](double margin) {
+    return exact::contactsOfShifts(c.a, c.motion_a, c.b, c.motion_b, margin);
+  };
+  auto times = contacts(0);
   ASSERT_EQ(times.size(), 2u);
   EXPECT_EQ(times[0].begin, 0);
   EXPECT_EQ(times[0].end, mpq_class(1, 8));
   EXPECT_EQ(times[1].begin, mpq_class(3, 8));
   EXPECT_EQ(times[1].end, 1);
   c = {point({0, 0}), {}, point({0, 0}), Motion::translation(tricover::pose(-5, 3), {10, 0})};
-  times = contactsOfShifts(c, 5);
+  times = contacts(5);
   ASSERT_EQ(times.size(), 1u);
   EXPECT_EQ(times[0].begin, mpq_class(1, 10));
   EXPECT_EQ(times[0].end, mpq_class(9, 10));
-  EXPECT_EQ(contactsOfShifts(c, 3).size(), 1u);
-  EXPECT_EQ(contactsOfShifts(c, 2).size(), 0u);
+  EXPECT_EQ(contacts(3).size(), 1u);
+  EXPECT_EQ(contacts(2).size(), 0u);
   // Held all of the time; and in a hole.
   c = {Polygon({rectangle(-9, -9, 9, 9), rectangle(-3, -3, 3, 3)}), {}, box(1, 1), Motion::still(tricover::pose(6, 0))};
-  ASSERT_EQ(contactsOfShifts(c, 0).size(), 1u);
-  EXPECT_EQ(contactsOfShifts(c, 0)[0].end, 1);
+  ASSERT_EQ(contacts(0).size(), 1u);
+  EXPECT_EQ(contacts(0)[0].end, 1);
   c.motion_b = Motion::translation(Pose::Identity(), {5, 0});
-  ASSERT_EQ(contactsOfShifts(c, 0).size(), 1u);
-  EXPECT_EQ(contactsOfShifts(c, 0)[0].begin, mpq_class(1, 2));
+  ASSERT_EQ(contacts(0).size(), 1u);
+  EXPECT_EQ(contacts(0)[0].begin, mpq_class(1, 2));
 }
 
 TEST(LastingContactOracle, ShiftsAgreeWithExactIntervals) {

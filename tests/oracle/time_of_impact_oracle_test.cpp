@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "exact_reference.h"
+#include "exact_shifts.h"
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
@@ -219,62 +220,10 @@ INSTANTIATE_TEST_SUITE_P(Motions, TimeOfImpactOracle,
                                          Kind::Spline),
                          kindName);
 
-struct ExactVector {
-  mpq_class x, y;
-  friend ExactVector operator-(const ExactVector& p, const ExactVector& q) { return {p.x - q.x, p.y - q.y}; }
-};
-mpq_class cross(const ExactVector& p, const ExactVector& q) { return p.x * q.y - p.y * q.x; }
-mpq_class dot(const ExactVector& p, const ExactVector& q) { return p.x * q.x + p.y * q.y; }
-ExactVector exactly(const Vec2& p) { return {mpq_class(p.x()), mpq_class(p.y())}; }
-
-using ExactEdges = std::vector<std::pair<ExactVector, ExactVector>>;
-
-ExactEdges exactEdges(const Polygon& polygon, const Pose& pose) {
-  const auto& m = pose.matrix();
-  const auto place = [&](const Vec2& p) {
-    const ExactVector q = exactly(p);
-    return ExactVector{mpq_class(m(0, 0)) * q.x + mpq_class(m(0, 1)) * q.y + mpq_class(m(0, 2)),
-                       mpq_class(m(1, 0)) * q.x + mpq_class(m(1, 1)) * q.y + mpq_class(m(1, 2))};
-  };
-  ExactEdges edges;
-  for (EdgeIndex e = 0; e < polygon.edgeCount(); ++e)
-    edges.emplace_back(place(polygon.edgeStart(e)), place(polygon.edgeEnd(e)));
-  return edges;
-}
-
-/// Lowers `first` to the time at which a point that moves by `way` is on the edge.
-void meetEdge(const ExactVector& p, const ExactVector& way, const ExactVector& v, const ExactVector& w,
-              std::optional<mpq_class>& first) {
-  const auto offer = [&](const mpq_class& time) {
-    if (time >= 0 && time <= 1 && (!first || time < *first)) first = time;
-  };
-  const ExactVector along = w - v, from = v - p;
-  const mpq_class closing = cross(along, way);
-  if (closing != 0) {
-    const mpq_class time = cross(along, from) / closing;
-    const ExactVector there{p.x + time * way.x - v.x, p.y + time * way.y - v.y};
-    const mpq_class share = dot(there, along);
-    if (share >= 0 && share <= dot(along, along)) offer(time);
-    return;
-  }
-  // Along the edge's line, or to a point of an edge without length.
-  if (dot(way, way) == 0) return;
-  for (const ExactVector& end : {from, ExactVector(w - p)})
-    if (cross(end, way) == 0) offer(dot(end, way) / dot(way, way));
-}
-
-/// The first contact of polygons that are apart at first and only shifted: that of a vertex with an edge.
+/// The first contact of polygons that are only shifted.
 std::optional<mpq_class> firstContact(const Flight& f) {
-  const ExactVector way = exactly(f.motion_b.shift) - exactly(f.motion_a.shift);
-  const ExactVector back{-way.x, -way.y};
-  const ExactEdges a = exactEdges(f.a, f.motion_a.start), b = exactEdges(f.b, f.motion_b.start);
-  std::optional<mpq_class> first;
-  for (const auto& edge_a : a)
-    for (const auto& edge_b : b) {
-      meetEdge(edge_b.first, way, edge_a.first, edge_a.second, first);
-      meetEdge(edge_a.first, back, edge_b.first, edge_b.second, first);
-    }
-  return first;
+  const auto contacts = exact::contactsOfShifts(f.a, f.motion_a, f.b, f.motion_b);
+  return contacts.empty() ? std::nullopt : std::optional<mpq_class>(contacts[0].begin);
 }
 
 /// Vertices and ways on a coarse grid: grazes, contacts at the very end, collinear edges, parting from touch.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
+#include "exact_shifts.h"
 #include "least_distance_laws.h"
 #include "reference.h"
 #include "reproduction.h"
@@ -17,116 +17,14 @@
 namespace tricover::support {
 namespace {
 
-struct ExactVector {
-  mpq_class x, y;
-  friend ExactVector operator-(const ExactVector& p, const ExactVector& q) { return {p.x - q.x, p.y - q.y}; }
-};
-
-mpq_class cross(const ExactVector& p, const ExactVector& q) { return p.x * q.y - p.y * q.x; }
-mpq_class dot(const ExactVector& p, const ExactVector& q) { return p.x * q.x + p.y * q.y; }
-ExactVector exactly(const Vec2& p) { return {mpq_class(p.x()), mpq_class(p.y())}; }
-
-/// Rounded down, but for perfect squares.
-mpq_class rootOf(const mpq_class& square) {
-  const mpf_class number(square, 320);
-  return mpq_class(sqrt(number));
+std::vector<exact::Interval> contactsOf(const MovingCase& c, const mpq_class& margin) {
+  return exact::contactsOfShifts(c.a, c.motion_a, c.b, c.motion_b, margin);
 }
 
-struct PosedRegion {
-  PosedRegion(const Polygon& polygon, const Pose& pose) : fill(polygon.fillRule()) {
-    const auto& m = pose.matrix();
-    const auto place = [&](const Vec2& v) {
-      const ExactVector p = exactly(v);
-      return ExactVector{mpq_class(m(0, 0)) * p.x + mpq_class(m(0, 1)) * p.y + mpq_class(m(0, 2)),
-                         mpq_class(m(1, 0)) * p.x + mpq_class(m(1, 1)) * p.y + mpq_class(m(1, 2))};
-    };
-    for (const Ring& ring : polygon.rings()) {
-      starts.push_back(place(ring[0]));
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        edges.emplace_back(place(ring[i]), place(ring[i + 1 < ring.size() ? i + 1 : 0]));
-    }
-  }
-
-  /// Of a point that is on no edge.
-  bool holds(const ExactVector& p) const {
-    int winding = 0;
-    for (const auto& [v, w] : edges) {
-      if ((v.y <= p.y) == (w.y <= p.y)) continue;
-      const int side = sgn(cross(w - v, p - v));
-      if (v.y <= p.y && side > 0) ++winding;
-      if (v.y > p.y && side < 0) --winding;
-    }
-    return fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
-  }
-
-  std::vector<std::pair<ExactVector, ExactVector>> edges;
-  std::vector<ExactVector> starts;
-  FillRule fill;
-};
-
-/// The times at which all conditions hold.
-class Cut {
- public:
-  /// at_0 + t slope >= 0.
-  void require(const mpq_class& at_0, const mpq_class& slope) {
-    if (slope == 0) {
-      if (at_0 < 0) is_empty_ = true;
-      return;
-    }
-    const mpq_class root = -at_0 / slope;
-    if (slope > 0 && root > begin_) begin_ = root;
-    if (slope < 0 && root < end_) end_ = root;
-  }
-  void unite(std::optional<ExactInterval>& all) const {
-    if (is_empty_ || begin_ > end_) return;
-    if (!all) all = ExactInterval{begin_, end_};
-    if (begin_ < all->begin) all->begin = begin_;
-    if (end_ > all->end) all->end = end_;
-  }
-
- private:
-  mpq_class begin_ = 0, end_ = 1;
-  bool is_empty_ = false;
-};
-
-/// When the point t `by` is within the margin of a convex ring of four corners, possibly flat.
-std::optional<ExactInterval> timesNear(const ExactVector (&corner)[4], const ExactVector& by, const mpq_class& margin) {
-  std::optional<ExactInterval> all;
-  const mpq_class area = cross(corner[1] - corner[0], corner[3] - corner[0]), square = dot(by, by);
-  Cut inside;
-  for (int i = 0; i < 4; ++i) {
-    const ExactVector &v = corner[i], side = corner[(i + 1) % 4] - v;
-    // Beside a side.
-    const mpq_class at_0 = cross(v, side), slope = -cross(by, side), length = dot(side, side);
-    if (area != 0) area > 0 ? inside.require(at_0, slope) : inside.require(-at_0, -slope);
-    if (length != 0) {
-      const mpq_class reach = margin == 0 ? mpq_class(0) : mpq_class(margin * rootOf(length));
-      Cut beside;
-      beside.require(reach - at_0, -slope);
-      beside.require(reach + at_0, slope);
-      beside.require(-dot(v, side), dot(by, side));
-      beside.require(length + dot(v, side), -dot(by, side));
-      beside.unite(all);
-    }
-    // Around a corner.
-    const mpq_class ahead = dot(v, by), left = ahead * ahead - square * (dot(v, v) - margin * margin);
-    if (left < 0 || (square == 0 && dot(v, v) > margin * margin)) continue;
-    Cut around;
-    if (square != 0) {
-      const mpq_class root = left == 0 ? mpq_class(0) : rootOf(left);
-      around.require(root - ahead, square);
-      around.require(root + ahead, -square);
-    }
-    around.unite(all);
-  }
-  if (area != 0) inside.unite(all);
-  return all;
-}
-
-std::vector<ExactInterval> merged(std::vector<ExactInterval> all) {
-  std::sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.begin < q.begin; });
-  std::vector<ExactInterval> result;
-  for (const ExactInterval& interval : all) {
+/// In order, without those that touch.
+std::vector<exact::Interval> merged(const std::vector<exact::Interval>& all) {
+  std::vector<exact::Interval> result;
+  for (const exact::Interval& interval : all) {
     if (result.empty() || interval.begin > result.back().end)
       result.push_back(interval);
     else if (interval.end > result.back().end)
@@ -209,37 +107,10 @@ std::string reproduction(const MovingCase& c) {
 
 double lengthOf(const MovingCase& c) { return c.margin + lengthOf(c.a, c.motion_a, c.b, c.motion_b); }
 
-std::vector<ExactInterval> contactsOfShifts(const MovingCase& c, const mpq_class& margin) {
-  const PosedRegion a(c.a, c.motion_a.start), b(c.b, c.motion_b.start);
-  const ExactVector by = exactly(c.motion_b.shift) - exactly(c.motion_a.shift);
-  std::vector<ExactInterval> all;
-  for (const auto& [v, w] : a.edges)
-    for (const auto& [p, q] : b.edges) {
-      const ExactVector corner[] = {v - p, w - p, w - q, v - q};
-      if (const auto times = timesNear(corner, by, margin)) all.push_back(*times);
-    }
-  all = merged(all);
-  // Between them, one may hold the other.
-  mpq_class last = 0;
-  const std::size_t count = all.size();
-  for (std::size_t i = 0; i <= count; ++i) {
-    const mpq_class next = i < count ? all[i].begin : mpq_class(1), middle = (last + next) / 2;
-    const ExactVector moved{by.x * middle, by.y * middle};
-    const auto holds = [](const PosedRegion& one, const PosedRegion& other, const ExactVector& against) {
-      return std::any_of(other.starts.begin(), other.starts.end(),
-                         [&](const ExactVector& p) { return one.holds(p - against); });
-    };
-    const ExactVector back{-moved.x, -moved.y};
-    if (last < next && (holds(a, b, back) || holds(b, a, moved))) all.push_back({last, next});
-    if (i < count) last = all[i].end;
-  }
-  return merged(all);
-}
-
 std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& counts) {
   const mpq_class margin = c.margin, length = lengthOf(c);
-  const std::vector<ExactInterval> truth = contactsOfShifts(c, margin),
-                                   wide = contactsOfShifts(c, margin + length * mpq_class("1/10000000000000"));
+  const std::vector<exact::Interval> truth = contactsOf(c, margin),
+                                     wide = contactsOf(c, margin + length * mpq_class("1/10000000000000"));
   ImpactOptions options;
   options.margin = c.margin;
   options.time_error = error;
@@ -247,16 +118,16 @@ std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& co
   const double seen = std::max(error, 1e-9) * (1 + 1e-6);
   std::string wrong = wrongOrder(found);
   if (!wrong.empty()) return wrong;
-  for (const ExactInterval& interval : truth)
+  for (const exact::Interval& interval : truth)
     if (std::none_of(found.begin(), found.end(),
                      [&](const Conflict& f) { return isContact(f, interval.begin) && isContact(f, interval.end); }))
       return at("missed", interval.begin);
   // Nothing is told for longer than the error but what comes within rounding.
-  std::vector<ExactInterval> may_be = wide;
-  for (ExactInterval& interval : may_be) interval.begin -= seen, interval.end += seen;
+  std::vector<exact::Interval> may_be = wide;
+  for (exact::Interval& interval : may_be) interval.begin -= seen, interval.end += seen;
   may_be = merged(may_be);
   for (const Conflict& f : found)
-    if (std::none_of(may_be.begin(), may_be.end(), [&](const ExactInterval& interval) {
+    if (std::none_of(may_be.begin(), may_be.end(), [&](const exact::Interval& interval) {
           return interval.begin <= f.impact.time && f.end <= interval.end;
         }))
       return at("apart", mpq_class(f.impact.time));
@@ -267,16 +138,16 @@ std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& co
     wrong = wrongLater(c, options, found, later, starts_in_contact, seen);
   if (!wrong.empty()) return wrong;
   // The separation itself is none: what is told later is another contact.
-  const auto near = contactsOfShifts(c, margin + length * mpq_class("1/1000000000000000"));
+  const auto near = contactsOf(c, margin + length * mpq_class("1/1000000000000000"));
   if (!later.empty() && !near.empty() && near[0].begin == 0) {
-    const auto next = std::find_if(wide.begin(), wide.end(), [](const ExactInterval& i) { return i.begin > 0; });
+    const auto next = std::find_if(wide.begin(), wide.end(), [](const exact::Interval& i) { return i.begin > 0; });
     if (next == wide.end() || next->begin > later[0].end + seen) return at("the separation", later[0].impact.time);
   }
   ++counts.cases;
   counts.at_begin += starts_in_contact;
   counts.later += !later.empty();
   counts.none += found.empty();
-  for (const ExactInterval& interval : truth)
+  for (const exact::Interval& interval : truth)
     if (interval.end - interval.begin > 0.1) {
       ++counts.lasting;
       break;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gmpxx.h>
-
 #include <string>
-#include <vector>
 
 #include "families.h"
 #include "tricover/motion.h"
@@ -25,15 +22,6 @@ std::string reproduction(const MovingCase& c);
 
 /// What time_of_impact.h calls L: coming within 1e-13 of it may count as a contact.
 double lengthOf(const MovingCase& c);
-
-struct ExactInterval {
-  mpq_class begin, end;
-};
-
-/// When polygons that are only shifted are within the margin, from time 0 to 1: two edges are so for an interval whose
-/// ends are roots of linear functions, or of quadratic ones around their ends. Exact but for square roots, which are
-/// right to 1e-80.
-std::vector<ExactInterval> contactsOfShifts(const MovingCase& c, const mpq_class& margin);
 
 struct LastingCounts {
   int cases = 0, at_begin = 0, later = 0, none = 0, lasting = 0;
