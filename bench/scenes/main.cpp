@@ -37,7 +37,7 @@ bool run(const std::string& directory, bool full) {
   tricover_fcl::registerNarrowphase();
   const Countries countries = readCountries();
   const Settings settings = full ? Settings{5, 0.1} : Settings{3, 0.01};
-  drawScenes(countries, directory);
+  drawScenes(directory);
   return writeStudies(directory, "scenes",
                       {{"Frames", measureFrames(settings)},
                        {"Layouts", measureLayouts(settings)},

@@ -31,8 +31,7 @@ std::vector<Result> measureFrames(const Settings& settings);
 /// The cost of a frame of 1,000 to 100,000 outlines for each moving body, with one thread and with two.
 std::vector<Result> measureCrowds();
 
-/// Writes layout.svg (a part among the others, placed anew) and rays.svg (rays from a robot in the map of countries,
-/// and in the warehouse). Colours are the scene's answers.
-void drawScenes(const Countries& countries, const std::string& directory);
+/// Writes layout.svg: a part among the others, placed anew. Colours are the scene's answers.
+void drawScenes(const std::string& directory);
 
 }  // namespace tricover::bench
