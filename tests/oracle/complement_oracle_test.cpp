@@ -11,18 +11,22 @@
 #include <utility>
 #include <vector>
 
+#include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "laws.h"
 #include "random.h"
 #include "ray_laws.h"
 #include "reproduction.h"
+#include "scene_walk.h"
 #include "shapes.h"
 #include "test_scale.h"
 #include "touching_families.h"
 #include "touching_laws.h"
+#include "tricover/distance.h"
 #include "tricover/locate.h"
 #include "tricover/ray.h"
+#include "tricover/time_of_impact.h"
 
 namespace tricover::support {
 namespace {
@@ -73,6 +77,12 @@ Case plugs(std::uint64_t seed) {
     }
     if (random.oneIn(3)) plug = Polygon({rectangle(0, 0, random.integer(1, 2) / 2.0, random.integer(1, 2) / 2.0)});
     if (random.coin()) plug = plug.scaled(random.coin() ? 0.25 : 1 + random.integer(-1, 1) * 0x1p-52);
+    for (int tries = random.coin() ? 20 : 0; tries > 0; --tries) {  // small, around a point inside
+      const Vec2 p(random.integer(-24, 24) / 4.0, random.integer(-24, 24) / 4.0);
+      if (exact::locate(hole, p) != Location::Inside) continue;
+      plug = plug.translated(-plug.origin()).scaled(0x1p-5).translated(p);
+      break;
+    }
     if (random.oneIn(8)) complemented(plug);
     const double scale = random.oneIn(4) ? std::ldexp(1.0, random.integer(-900, 900)) : 1;
     if (scale != 1) outside = outside.scaled(scale), plug = plug.scaled(scale);
@@ -148,7 +158,7 @@ class Complements : public testing::TestWithParam<Family> {};
 
 TEST_P(Complements, KeepToExactRationalsAndTheLawsOfAllQueries) {
   const bool is_own = GetParam().make == plugs;
-  const int cases = scaledCount(is_own ? 600 : 40);
+  const int cases = scaledCount(is_own ? 400 : 15);
   int hits = 0, broken = 0, asked = 0, overlaps = 0;
   PairCache old;
   StrategyCaches old_strategies;
@@ -167,6 +177,15 @@ TEST_P(Complements, KeepToExactRationalsAndTheLawsOfAllQueries) {
       overlaps += overlap.overlap;
       wrong = wrongTouching(c, overlap, old_strategies, random);
       if (wrong.empty()) wrong = wrongTouchingInScene(c, overlap);
+      if (wrong.empty()) {
+        LimitedOptions options;
+        if (random.coin()) options.margin = margin;
+        if (random.coin()) options.relative_error = 0.1;
+        PairCache cache;
+        const bool is_plain = std::max(c.a.origin().stableNorm(), c.b.origin().stableNorm()) < 1e300;
+        if (is_plain && !isOneTwice(c))
+          wrong = wrongDistances(c, options, exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b), cache);
+      }
       for (const auto& [polygon, pose] : {std::pair(c.a, c.pose_a), std::pair(c.b, c.pose_b)}) {
         if (wrong.empty()) wrong = wrongLocation(random, polygon);
         if (wrong.empty()) wrong = wrongRay(random, polygon, pose);
@@ -189,6 +208,73 @@ TEST_P(Complements, KeepToExactRationalsAndTheLawsOfAllQueries) {
 
 INSTANTIATE_TEST_SUITE_P(Families, Complements, testing::ValuesIn(allFamilies()),
                          [](const auto& family) { return family.param.name; });
+
+/// Zones and what is outside of them as bodies among others, against loops over the functions of pairs.
+TEST(Complement, IsABodyAsAnyOther) {
+  int asked = 0, hits = 0, began = 0, free = 0, impacts = 0, rays = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(seed);
+    const auto place = [&](double far) {
+      return pose(random.real(0, 6.28), random.real(-far, far), random.real(-far, far));
+    };
+    std::vector<Case> cases;
+    for (int i = 0; i < 4; ++i) {
+      const Polygon zone({star(random, 20 + 40 * i, 8, 9), scaled(star(random, 5, 0.5, 1), 0.5)});
+      const Polygon car({random.coin() ? star(random, 9, 0.2, 0.8) : regular(4 + i, 0.5)});
+      cases.push_back({i < 2 ? zone.complement() : car, place(i < 2 ? 0.5 : 3), i == 1 ? zone : car, place(3)});
+    }
+    SceneWalk walk(cases, seed, seed == 0 ? 40 : 10);
+    for (int frame = 0; frame < scaledCount(60) && walk.wrong.empty(); ++frame) walk.frame();
+    EXPECT_EQ(walk.wrong, "") << "scene " << seed;
+    asked += walk.asked, hits += walk.hits, began += walk.began, free += walk.free;
+    impacts += walk.impacts_found, rays += walk.rays;
+  }
+  std::printf("%d answers %d collisions %d began %d free %d impacts %d rays\n", asked, hits, began, free, impacts,
+              rays);
+  if (isScaledDown()) return;
+  for (const int count : {hits, began, free, impacts, rays}) EXPECT_GE(count, 10);
+}
+
+/// A body in a hole moves and rotates: never is it outside before the impact, and it touches there.
+TEST(Complement, IsReachedByMotionsNoSoonerAndNoLater) {
+  int impacts = 0, starts = 0, none = 0;
+  const int cases = scaledCount(600);
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 5000);
+    std::vector<Ring> rings = {random.coin() ? star(random, random.integer(4, 40), 3, 9) : rectangle(-9, -4, 9, 4)};
+    if (random.coin()) rings.push_back(star(random, random.integer(3, 9), 0.3, 1, {random.real(-2, 2), 2}));
+    const Polygon outside = Polygon(rings).complement();
+    const Polygon body({random.coin() ? star(random, random.integer(3, 20), 0.3, 1) : rectangle(-1, -0.5, 1, 0.5)});
+    Motion motion = Motion::still(pose(random.real(0, 6.3), random.real(-1, 1), random.real(-1, 1)));
+    motion.shift = random.coin() ? Vec2(random.real(-9, 9), random.real(-9, 9)) : Vec2(random.real(-1, 1), 0);
+    if (random.coin()) motion.angle = random.real(-6, 6);
+    if (random.oneIn(3)) motion.shift_2 = Vec2(random.real(-3, 3), random.real(-3, 3));
+    const Motion other = random.coin() ? Motion::still(Pose::Identity())
+                                       : Motion::translation(Pose::Identity(), {random.real(-1, 1), 0});
+    const double margin = random.oneIn(3) ? random.real(0, 0.3) : 0, time_error = random.coin() ? 1e-3 : 1e-9;
+    const auto distanceAt = [&](double time) {
+      return distance(outside, other.at(time), body, motion.at(time)).distance;
+    };
+    const auto impact = timeOfImpact(outside, other, body, motion, {margin, time_error});
+    const double until = impact ? impact->time : 1;
+    starts += until == 0;
+    impacts += until > 0 && impact.has_value();
+    none += !impact;
+    for (int k = 0; k < 40; ++k) {
+      const double time = until * k / 40;
+      ASSERT_TRUE(time < until ? distanceAt(time) > margin - 1e-12 : true)
+          << i << " at " << time << " before " << until;
+    }
+    if (!impact) continue;
+    ASSERT_FALSE(impact->budget_ended) << i;
+    const double speed =
+        motion.shift.norm() + 2 * motion.shift_2.norm() + other.shift.norm() + 2 * std::abs(motion.angle);
+    ASSERT_LE(distanceAt(until), margin + 1e-11 + speed * time_error) << i;
+  }
+  std::printf("%d impacts, %d at the start, %d none\n", impacts, starts, none);
+  if (isScaledDown()) return;
+  EXPECT_GE(std::min({impacts, 5 * starts, none}), cases / 10);
+}
 
 /// Points of a lattice of quarters around the polygons: a point of the complement is one where points outside are as
 /// near as you like.

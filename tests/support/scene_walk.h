@@ -91,9 +91,13 @@ class SceneWalk {
     return static_cast<std::size_t>(random_.integer(0, static_cast<int>(count) - 1));
   }
 
+  /// Of its rings.
+  static double sizeOf(const Polygon& polygon) {
+    return std::min((polygon.isComplement() ? polygon.complement() : polygon).radius(), 1e305);
+  }
   /// A length that matters to a polygon: of its size, or far less.
   double length(const Polygon& polygon) {
-    return std::min(polygon.radius(), 1e305) * std::pow(10, random_.integer(-12, 0)) * random_.unit();
+    return sizeOf(polygon) * std::pow(10, random_.integer(-12, 0)) * random_.unit();
   }
 
   BodyOptions anyOptions(const Polygon& polygon) {
@@ -122,8 +126,7 @@ class SceneWalk {
 
   /// Beyond others.
   Pose away(Pose pose) {
-    const double angle = random_.real(0, 2 * M_PI),
-                 way = 3 * random_.unit() * std::min(anyPart().polygon.radius(), 1e305);
+    const double angle = random_.real(0, 2 * M_PI), way = 3 * random_.unit() * sizeOf(anyPart().polygon);
     const Vec2 moved = pose.translation() + way * Vec2(std::cos(angle), std::sin(angle));
     if (moved.allFinite()) pose.translation() = moved;
     return pose;
