@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tricover/segment.h"
+
 namespace {
 
 TEST(Documentation, Collide) {
