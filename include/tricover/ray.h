@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
@@ -43,5 +44,27 @@ struct RayHit {
 /// \snippet ray.cpp ray
 TRICOVER_EXPORT std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from,
                                               const Vec2& to, const RayOptions& options = {});
+
+/// A part of a ray that is in a polygon's region; a single point where both fractions are equal.
+struct RayInterval {
+  RayHit begin;  ///< As castRay() reports a hit.
+  /// The same for the way back from the ray's end: the last edge on the way, or -1 where the ray ends in the region.
+  /// The fraction is the one from the ray's start. The normal points along the ray.
+  RayHit end;
+};
+
+/// Returns all intervals of the closed segment from `from` to `to` that are in a polygon's region, in order. The first
+/// one begins where castRay() hits.
+///
+/// Without a margin the intervals and their edges are exact: a vertex that the ray grazes is an interval, and an
+/// interval runs along edges and over what touches within the region. A ray of length 0 in the region is one interval
+/// from 0 to 1. Typical cost: O(log n + k log k), where k counts the edges near the ray's line.
+///
+/// With a margin, each end is as precise as castRay()'s hit. The ray may be outside of the grown region for less than
+/// 1e-9 of its length within an interval. 	hrows as castRay()
+///
+/// \snippet ray.cpp all
+TRICOVER_EXPORT std::vector<RayInterval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from,
+                                                    const Vec2& to, const RayOptions& options = {});
 
 }  // namespace tricover

@@ -144,6 +144,12 @@ struct BodyRayHit {
   RayHit hit;       ///< The result of castRay() for this body.
 };
 
+/// A part of a ray that is in a body.
+struct BodyRayInterval {
+  BodyHandle body;       ///< The body.
+  RayInterval interval;  ///< One of castRayAll() for this body.
+};
+
 namespace detail {
 struct SceneState;
 }
@@ -295,6 +301,11 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
                                     const BodyFilter& filter = {}) const;
+  /// Returns all intervals of such a ray that are in bodies that pass the filter, in the order of their begins, then
+  /// handles. Bodies may overlap. Throws as tricover::castRay() does.
+  /// \snippet scene.cpp scene queries
+  std::vector<BodyRayInterval> castRayAll(const Vec2& from, const Vec2& to, const RayOptions& options = {},
+                                          const BodyFilter& filter = {}) const;
 
  private:
   std::unique_ptr<detail::SceneState> impl_;

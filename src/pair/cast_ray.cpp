@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
@@ -50,21 +51,24 @@ class RayCast {
   std::optional<RayHit> first() {
     const bool in_units = bringToUnits();
     if (in_units && passesBy()) return std::nullopt;
-    if (startsInside(in_units)) return RayHit{0, from(), -unitVector(from(), to()), -1};
+    if (startsInside(in_units)) return start();
     if (from() == to()) return std::nullopt;
     if (in_units) {
       const auto visit = [](void* cast, std::uint32_t edge) { return static_cast<RayCast*>(cast)->take(edge), true; };
       visitEdgesOnRay(hierarchyOf(polygon_), ray_, visit, this);
     } else {
-      for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
-        for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e) take(e);
+      forAllEdges([&](std::size_t edge) { take(edge); });
     }
     if (!found_ || fraction_ > limit_) return std::nullopt;
-    edge_ = polygon_.namedEdge(edge_);
-    return RayHit{fraction_, pointAt(from(), to(), fraction_), normal(), polygon_.edgeName(edge_)};
+    return hitAt(edge_, fraction_, 0);
   }
 
- private:
+ protected:
+  template <typename Visit>
+  void forAllEdges(const Visit& visit) const {
+    for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
+      for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e) visit(e);
+  }
   FourEnds endsWith(std::size_t edge) const {
     return {{from_, to_, vertex(edge), vertex(edge + 1)}, ray(), segment(edge)};
   }
@@ -101,10 +105,9 @@ class RayCast {
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
     length_ = length * polygon_.inverse_unit;  // may overflow: nothing is left out by it then
     share_ = std::clamp(2 * away * polygon_.unit / length, kLeastFraction, 1.0);
-    constexpr double kAnyDirection = 1.5;
     start_error_ = kAnyDirection * start_.error * polygon_.inverse_unit + 0x1p-46 * away;
     ray_ = {at.x(), at.y(), 1, 0, start_error_ + kAnyDirection * share_ * to.error * polygon_.inverse_unit};
-    if (length > 0x1p-1000) {
+    if (length > kLeastLength) {
       ray_.dx = way.x() / length;
       ray_.dy = way.y() / length;
     } else {
@@ -137,6 +140,12 @@ class RayCast {
     return locateInPolygon(polygon_, start) != Location::Outside;
   }
 
+  RayHit hitAt(std::size_t edge, double fraction, int seen_from) const {
+    const std::size_t named = polygon_.namedEdge(edge);
+    return {fraction, pointAt(from(), to(), fraction), normal(named, seen_from), polygon_.edgeName(named)};
+  }
+  RayHit start() const { return {0, from(), -unitVector(from(), to()), -1}; }
+
   void take(std::size_t edge) {
     const FourEnds ends = endsWith(edge);
     if (!ends.meet()) return;
@@ -165,20 +174,27 @@ class RayCast {
 
   /// By the true fractions, so that the first edge is what it is in whatever order edges come.
   bool isBefore(std::size_t edge, double fraction) const {
-    if (std::abs(fraction - fraction_) > kFractionsApart * (known_ ? share_ : 1)) return fraction < fraction_;
+    if (areApart(fraction, fraction_)) return fraction < fraction_;
     const int order = compareFractionsExact(ray(), segment(edge), segment(edge_));
     return order != 0 ? order < 0 : edge < edge_;
   }
 
-  /// Of the edge that is hit. The start is on its line only where the ray runs along it or it has no length.
-  Vec2 normal() const {
-    const int side = endsWith(edge_).sign(2, 3, 0);
-    if (side == 0) return -unitVector(from(), to());
-    const Vec2 along = pose_.linear() * unitVector(polygon_.path[edge_], polygon_.path[edge_ + 1]);
+  bool areApart(double fraction, double other) const {
+    return std::abs(fraction - other) > kFractionsApart * (known_ ? share_ : 1);
+  }
+
+  /// Of an edge that is hit, towards an end of the ray. That end is on the edge's line only where the ray runs along
+  /// the edge or the edge has no length.
+  Vec2 normal(std::size_t edge, int seen_from) const {
+    const int side = endsWith(edge).sign(2, 3, seen_from);
+    if (side == 0) return seen_from == 0 ? Vec2(-unitVector(from(), to())) : unitVector(from(), to());
+    const Vec2 along = pose_.linear() * unitVector(polygon_.path[edge], polygon_.path[edge + 1]);
     return side * Vec2(-along.y(), along.x()).normalized();
   }
 
-  static constexpr double kLeastFraction = 1e-300;  ///< far above what underflow takes from fractions
+  static constexpr double kAnyDirection = 1.5;       ///< above the root of 2
+  static constexpr double kLeastLength = 0x1p-1000;  ///< of what has a direction
+  static constexpr double kLeastFraction = 1e-300;   ///< far above what underflow takes from fractions
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const PolygonData& polygon_;
@@ -198,6 +214,140 @@ class RayCast {
   double fraction_ = 0;
 };
 
+/// All of the ray in the region. On the ray's line, the winding number on its left is the sum of the turns of all edges
+/// that lead across the line before. What is on its right matters only along edges, which are in the region anyway.
+class RayCastAll : private RayCast {
+ public:
+  RayCastAll(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to)
+      : RayCast(polygon, pose, from, to, 1) {}
+
+  std::vector<RayInterval> all() {
+    const bool in_units = bringToUnits();
+    if (in_units && passesBy()) return {};
+    const RayHit end{1, to(), unitVector(from(), to()), -1};
+    if (from() == to()) {
+      if (!startsInside(in_units)) return {};
+      return {{start(), end}};
+    }
+    events_ = {{kRay, 0, 0, 0, 0}, {kRay, 1, 1, 0, 0}};
+    Ray line = ray_;
+    if (in_units && bringBack(line)) {
+      const auto visit = [](void* cast, std::uint32_t edge) { return static_cast<RayCastAll*>(cast)->add(edge), true; };
+      visitEdgesOnRay(hierarchyOf(polygon_), line, visit, this);
+    } else {
+      forAllEdges([&](std::size_t edge) { add(edge); });
+    }
+    std::sort(events_.begin(), events_.end(), [&](const Event& p, const Event& q) { return compare(p, q) < 0; });
+
+    std::vector<RayInterval> intervals;
+    bool is_on_ray = false, is_open = false;
+    for (std::size_t i = 0, next;; i = next) {
+      for (next = i + 1; next < events_.size() && compare(events_[i], events_[next]) == 0;) ++next;
+      const bool is_from = has(i, next, 0), is_to = has(i, next, 1), is_alone = (is_from || is_to) && next == i + 1;
+      is_on_ray |= is_from;
+      const bool begins = is_on_ray && !is_open && (isInside() || !is_alone);
+      if (begins) {
+        const bool is_first = intervals.empty();
+        intervals.push_back({is_from ? start() : hitOf(i, next, 0), end});
+        if (!is_first) keepOrder(intervals.back().begin, intervals.end()[-2].end);
+        is_open = true;
+      }
+      if (is_to) return intervals;
+      for (std::size_t k = i; k < next; ++k) winding_ += events_[k].turn, along_ += events_[k].along;
+      if (!is_open || isInside()) continue;
+      is_open = false;
+      RayInterval& last = intervals.back();
+      last.end = hitOf(i, next, 1);
+      if (begins) last.end.fraction = last.begin.fraction, last.end.point = last.begin.point;
+      keepOrder(last.end, last.begin);
+    }
+  }
+
+ private:
+  /// A place on the ray's line: where an edge meets it, a vertex where an edge that runs along the line begins or ends
+  /// to do so, or an end of the ray.
+  struct Event {
+    std::size_t edge;         ///< or kRay
+    std::size_t point;        ///< the vertex's position, or the ray's end; otherwise kNoPoint
+    double fraction;          ///< or 0 or 1, whichever is nearer
+    std::int8_t turn, along;  ///< how the winding number on the left changes, and the number of edges along the line
+  };
+  static constexpr std::size_t kRay = ~std::size_t{0}, kNoPoint = kRay;
+
+  /// Begins the ray's line where it is behind all of the polygon. False if doubles don't know the line that well.
+  ///
+  /// Error. As above, with s from -S on, where S is the share before it is clamped: (1 + S) e_F + S e_T. The line
+  /// begins |F| + 2 behind F, with its direction off by a few U: start_error_ holds as much for coordinates below
+  /// |F| + 4.
+  bool bringBack(Ray& line) const {
+    const double back = Vec2(line.x, line.y).lpNorm<1>() + 2, share = 2 * (back + 2) / length_;
+    line.error = start_error_ + kAnyDirection * share * (start_.error + into_frame_(to_).error) * polygon_.inverse_unit;
+    line.x -= back * line.dx;
+    line.y -= back * line.dy;
+    line.length += back;
+    return line.error < 0x1p-4 && length_ * polygon_.unit > kLeastLength;
+  }
+
+  bool isInside() const { return along_ > 0 || detail::isInside(polygon_.fill, winding_); }
+  bool has(std::size_t begin, std::size_t end, std::size_t end_of_ray) const {
+    return std::any_of(&events_[begin], &events_[begin] + (end - begin),
+                       [&](const Event& e) { return e.edge == kRay && e.point == end_of_ray; });
+  }
+
+  /// An edge that may meet the ray's line before the ray's end.
+  void add(std::size_t edge) {
+    const FourEnds ends = endsWith(edge);
+    const int v = ends.sign(0, 1, 2), w = ends.sign(0, 1, 3);
+    if (v * w > 0) return;
+    if (v == 0 && w == 0) {
+      Event at_v{edge, edge, fractionOf(edge), 0, 1}, at_w{edge, edge + 1, fractionOf(edge + 1), 0, -1};
+      if (compare(at_v, at_w) > 0) std::swap(at_v.along, at_w.along);
+      events_.insert(events_.end(), {at_v, at_w});
+      return;
+    }
+    const int slant = w > v ? 1 : -1;
+    if (ends.sign(2, 3, 1) * slant > 0) return;
+    const auto turn = static_cast<std::int8_t>((w > 0) - (v > 0));
+    if (ends.sign(2, 3, 0) * slant < 0) {
+      winding_ += turn;
+    } else {
+      events_.push_back({edge, kNoPoint, RayCast::fractionOf(ends), turn, 0});
+    }
+  }
+  double fractionOf(std::size_t vertex) const {
+    const Vec2 both[] = {polygon_.path[vertex], polygon_.path[vertex]};
+    return std::clamp(fractionExact(ray(), {&pose_, both}), 0.0, 1.0);
+  }
+
+  int compare(const Event& p, const Event& q) const {
+    if (areApart(p.fraction, q.fraction)) return p.fraction < q.fraction ? -1 : 1;
+    Vec2 of_p[2], of_q[2];
+    return compareFractionsExact(ray(), segmentOf(p, of_p), segmentOf(q, of_q));
+  }
+  PosedSegment segmentOf(const Event& event, Vec2 (&both)[2]) const {
+    if (event.point == kNoPoint) return segment(event.edge);
+    both[0] = both[1] = event.edge == kRay ? ends_[event.point] : polygon_.path[event.point];
+    return {event.edge == kRay ? nullptr : &pose_, both};
+  }
+
+  /// The hit at events that are at one place, seen from one end of the ray.
+  RayHit hitOf(std::size_t begin, std::size_t end, int seen_from) const {
+    const auto isLower = [](const Event& p, const Event& q) { return p.edge < q.edge; };
+    const Event& lowest = *std::min_element(&events_[begin], &events_[begin] + (end - begin), isLower);
+    return hitAt(lowest.edge, lowest.fraction, seen_from);
+  }
+  /// Fractions of different edges at nearly one place are rounded each on its own.
+  static void keepOrder(RayHit& hit, const RayHit& before) {
+    if (hit.fraction > before.fraction) return;
+    hit.fraction = before.fraction;
+    hit.point = before.point;
+  }
+
+  std::vector<Event> events_;
+  int winding_ = 0;  ///< on the left, before the next events
+  int along_ = 0;    ///< how many edges run along the line there
+};
+
 }  // namespace
 
 void requireFiniteRay(const Vec2& from, const Vec2& to) {
@@ -208,6 +358,11 @@ void requireFiniteRay(const Vec2& from, const Vec2& to) {
 std::optional<RayHit> castPlainRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                    double limit) {
   return RayCast(polygon, pose, from, to, limit).first();
+}
+
+std::vector<RayInterval> castPlainRayAll(const PolygonData& polygon, const Pose& pose, const Vec2& from,
+                                         const Vec2& to) {
+  return RayCastAll(polygon, pose, from, to).all();
 }
 
 }  // namespace tricover::detail

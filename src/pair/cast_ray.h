@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
@@ -16,5 +17,9 @@ void requireFiniteRay(const Vec2& from, const Vec2& to);
 /// `limit`, which spares time; up to the limit the answer doesn't depend on it.
 std::optional<RayHit> castPlainRay(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                    double limit);
+
+/// tricover::castRayAll() without a margin for operands that have been checked.
+std::vector<RayInterval> castPlainRayAll(const PolygonData& polygon, const Pose& pose, const Vec2& from,
+                                         const Vec2& to);
 
 }  // namespace tricover::detail
