@@ -27,6 +27,14 @@ double speedAboutPivot(const PolygonData& polygon, const Motion& motion) {
   return rotationOf(motion).mostRate(0, 1) * (std::hypot(arm.x(), arm.y()) + polygon.radius);
 }
 
+/// The most of a rate from time 0 to 1, without squares of lengths, which overflow.
+double mostRateOf(const Cubic<Vec2>& path) {
+  const auto along = [&](int axis) {
+    return Cubic<double>{path.first[axis], path.second[axis], path.third[axis]}.mostRate(0, 1);
+  };
+  return std::hypot(along(0), along(1));
+}
+
 /// In the kernel's order, with trees.
 MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                         double margin) {
@@ -51,7 +59,7 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ < 0 ? margin_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
-      speed_(((pathOf(motion_a) - pathOf(motion_b)).mostRate(0, 1) + speedAboutPivot(a.data(), motion_a) +
+      speed_((mostRateOf(pathOf(motion_a) - pathOf(motion_b)) + speedAboutPivot(a.data(), motion_a) +
               speedAboutPivot(b.data(), motion_b)) *
              kSpared) {
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
