@@ -20,6 +20,9 @@ Records::Records(py::module_& m) {
   conflict_ = define("Conflict", "impact end");
   body_options_ = define("BodyOptions", "margin category mask touching");
   ray_hit_ = define("RayHit", "fraction point normal edge");
+  ray_interval_ = define("RayInterval", "begin end");
+  signed_distance_ = define("SignedDistance", "distance normal point_a point_b edge_a edge_b");
+  least_distance_ = define("LeastDistance", "distance lower_bound time point_a point_b edge_a edge_b budget_ended");
 }
 
 py::object Records::of(const tricover::DistanceResult& r) const {
@@ -59,6 +62,17 @@ py::object Records::of(const tricover::BodyOptions& o) const {
 
 py::object Records::of(const tricover::RayHit& h) const {
   return ray_hit_(h.fraction, arrayOf(h.point), arrayOf(h.normal), h.edge);
+}
+
+py::object Records::of(const tricover::RayInterval& i) const { return ray_interval_(of(i.begin), of(i.end)); }
+
+py::object Records::of(const tricover::SignedDistance& r) const {
+  return signed_distance_(r.distance, arrayOf(r.normal), arrayOf(r.point_a), arrayOf(r.point_b), r.edge_a, r.edge_b);
+}
+
+py::object Records::of(const tricover::LeastDistance& r) const {
+  return least_distance_(r.distance, r.lower_bound, r.time, arrayOf(r.point_a), arrayOf(r.point_b), r.edge_a, r.edge_b,
+                         r.budget_ended);
 }
 
 }  // namespace tricover_python

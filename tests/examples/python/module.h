@@ -25,6 +25,9 @@ class Records {
   py::object of(const tricover::Conflict& conflict) const;
   py::object of(const tricover::BodyOptions& options) const;
   py::object of(const tricover::RayHit& hit) const;
+  py::object of(const tricover::RayInterval& interval) const;
+  py::object of(const tricover::SignedDistance& result) const;
+  py::object of(const tricover::LeastDistance& result) const;
   /// None for nothing.
   template <typename Result>
   py::object of(const std::optional<Result>& result) const {
@@ -32,7 +35,8 @@ class Records {
   }
 
  private:
-  py::object distance_, penetration_, contact_, impact_, conflict_, ray_hit_, body_options_;
+  py::object distance_, penetration_, contact_, impact_, conflict_, ray_hit_, body_options_, ray_interval_,
+      signed_distance_, least_distance_;
 };
 
 void definePairs(py::module_& m, const Records& records);

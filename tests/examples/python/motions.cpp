@@ -125,31 +125,44 @@ void defineImpacts(py::module_& m, const Records& records) {
   m.def(
       "time_of_impact",
       [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
-                double time_error, bool ignore_initial) {
+                double time_error, bool ignore_initial, bool absent_outside) {
         std::optional<tricover::Impact> found;
         {
           const py::gil_scoped_release released;
-          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error, ignore_initial});
+          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error, ignore_initial, absent_outside});
         }
         return records.of(found);
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false);
+      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false, py::arg("absent_outside") = false);
   m.def(
       "conflicts",
       [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
-                double time_error, bool ignore_initial) {
+                double time_error, bool ignore_initial, bool absent_outside) {
         std::vector<tricover::Conflict> found;
         {
           const py::gil_scoped_release released;
-          found = conflicts(a, motion_a, b, motion_b, {margin, time_error, ignore_initial});
+          found = conflicts(a, motion_a, b, motion_b, {margin, time_error, ignore_initial, absent_outside});
         }
         py::list list;
         for (const tricover::Conflict& conflict : found) list.append(records.of(conflict));
         return list;
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false);
+      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false, py::arg("absent_outside") = false);
+  m.def(
+      "least_distance",
+      [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
+                double error, bool absent_outside) {
+        tricover::LeastDistance found;
+        {
+          const py::gil_scoped_release released;
+          found = leastDistance(a, motion_a, b, motion_b, {margin, error, absent_outside});
+        }
+        return records.of(found);
+      },
+      py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
+      py::arg("error") = 1e-6, py::arg("absent_outside") = false);
 }
 
 }  // namespace

@@ -73,6 +73,17 @@ void definePolygon(py::module_& m) {
           "translated", [](const Polygon& polygon, const Array& by) { return polygon.translated(pointFrom(by, "by")); },
           py::arg("by"))
       .def("scaled", &Polygon::scaled, py::arg("factor"))
+      .def(
+          "transformed",
+          [](const Polygon& polygon, const py::object& pose) { return polygon.transformed(onePose(pose, "pose")); },
+          py::arg("pose"))
+      .def(
+          "bounds_at",
+          [](const Polygon& polygon, const py::object& pose) {
+            const auto box = polygon.bounds(onePose(pose, "pose"));
+            return arrayOf(std::vector<tricover::Vec2>{box.min(), box.max()});
+          },
+          py::arg("pose"))
       .def("simplified", &Polygon::simplified, py::arg("tolerance"), py::arg("side") = tricover::Simplify::Both,
            py::call_guard<py::gil_scoped_release>())
       .def("edge",
@@ -87,6 +98,7 @@ void definePolygon(py::module_& m) {
   m.def(
       "segment", [](const Array& p, const Array& q) { return tricover::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
       py::arg("p"), py::arg("q"));
+  m.def("box", &tricover::box, py::arg("width"), py::arg("height"));
 }
 
 void defineMaps(py::module_& m) {
@@ -117,6 +129,14 @@ void defineMaps(py::module_& m) {
 }
 
 void definePoses(py::module_& m) {
+  m.def(
+      "pose",
+      [](double x, double y, double heading) {
+        const Poses poses{{tricover::pose(x, y, heading)}, true};
+        tricover::checkPose(poses[0]);
+        return poses;
+      },
+      py::arg("x"), py::arg("y"), py::arg("heading") = 0.0);
   py::class_<Poses>(m, "Poses", "Poses, one or many, of x, y and heading: (3,) or (n, 3).")
       .def(py::init([](const Array& poses) { return posesFrom(poses, "poses"); }), py::arg("poses"))
       .def_static("from_matrices", &posesFromMatrices, py::arg("matrices"))
@@ -201,6 +221,21 @@ void defineMeasures(py::module_& m, const Records& records) {
       py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 
+void defineSignedDistance(py::module_& m, const Records& records) {
+  m.def(
+      "signed_distance",
+      [records](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
+                std::size_t threads) {
+        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
+        std::vector<tricover::SignedDistance> found(countOf(poses_a, poses_b));
+        forEachInParallel(found.size(), threads,
+                          [&](std::size_t i) { found[i] = signedDistance(a, poses_a[i], b, poses_b[i], {margin}); });
+        return listOf(poses_a.is_one && poses_b.is_one, found, [&](const auto& one) { return records.of(one); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("threads") = 0);
+}
+
 void defineContacts(py::module_& m, const Records& records) {
   py::enum_<tricover::ContactDetail>(m, "ContactDetail")
       .value("POINTS", tricover::ContactDetail::Points)
@@ -239,6 +274,16 @@ void defineRays(py::module_& m, const Records& records) {
                                   pointFrom(to, "to_point"), {margin}));
       },
       py::arg("polygon"), py::arg("pose"), py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0);
+  m.def(
+      "cast_ray_all",
+      [records](const Polygon& polygon, const py::object& pose, const Array& from, const Array& to, double margin) {
+        py::list list;
+        for (const auto& interval : castRayAll(polygon, onePose(pose, "pose"), pointFrom(from, "from_point"),
+                                               pointFrom(to, "to_point"), {margin}))
+          list.append(records.of(interval));
+        return list;
+      },
+      py::arg("polygon"), py::arg("pose"), py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0);
 }
 
 }  // namespace
@@ -249,6 +294,7 @@ void definePairs(py::module_& m, const Records& records) {
   defineMaps(m);
   defineBooleans(m);
   defineMeasures(m, records);
+  defineSignedDistance(m, records);
   defineContacts(m, records);
   defineRays(m, records);
 }

@@ -54,6 +54,18 @@ class Polygons(unittest.TestCase):
         covered = many.simplified(0.01, tc.Simplify.OUTWARDS)
         self.assertTrue(all(tc.locate(covered, ring).all() for ring in many.rings))
 
+    def test_boxes_and_poses(self):
+        crate = tc.box(4, 2)
+        np.testing.assert_array_equal(crate.bounds, [(-2, -1), (2, 1)])
+        np.testing.assert_allclose(crate.bounds_at(tc.pose(5, 0, np.pi / 2)), [(4, -2), (6, 2)], atol=1e-15)
+        np.testing.assert_allclose(crate.transformed((5, 0, np.pi / 2)).bounds, [(4, -2), (6, 2)], atol=1e-15)
+        np.testing.assert_array_equal(tc.pose(1, 2), matrix(1, 2, 0))
+        np.testing.assert_allclose(tc.pose(1, 2, 0.5), matrix(1, 2, 0.5))
+        with self.assertRaisesRegex(ValueError, "width"):
+            tc.box(-1, 2)
+        with self.assertRaisesRegex(ValueError, "pose"):
+            tc.pose(0, np.nan)
+
     def test_maps(self):
         cells = np.zeros((3, 4), np.int8)
         cells[0, 1:3] = 100
@@ -180,6 +192,38 @@ class Pairs(unittest.TestCase):
         ways = tc.penetration(SQUARE, ORIGIN, SQUARE, [(0.75, 0.1, 0), (5, 0, 0)])
         self.assertEqual([way and way.depth for way in ways], [0.25, None])
 
+    def test_signed_distances(self):
+        apart = tc.signed_distance(SQUARE, ORIGIN, SQUARE, (4, 0, 0), margin=1)
+        self.assertEqual((apart.distance, apart.edge_a), (2, 1))
+        np.testing.assert_array_equal(apart.normal, (1, 0))
+        both = tc.signed_distance(SQUARE, ORIGIN, SQUARE, [(4, 0, 0), (0.75, 0.1, 0)])
+        self.assertEqual([one.distance for one in both], [3, -0.25])
+
+    def test_least_distances(self):
+        still, passes = tc.Motion.still(ORIGIN), tc.Motion.translation((-5, 3, 0), (10, 0))
+        least = tc.least_distance(SQUARE, still, SQUARE, passes, margin=0.5, error=1e-9)
+        self.assertAlmostEqual(least.distance, 1.5, 8)
+        self.assertLessEqual(least.lower_bound, least.distance)
+        self.assertTrue(0.39 < least.time < 0.61)
+        rest = tc.Trajectory([(0, 5, still)])
+        way = tc.Trajectory([(4, 14, passes)])  # together until x is -4
+        self.assertAlmostEqual(tc.least_distance(SQUARE, rest, SQUARE, way).distance, 2, 5)
+        self.assertAlmostEqual(tc.least_distance(SQUARE, rest, SQUARE, way, absent_outside=True).distance,
+                               np.hypot(3, 2), 5)
+
+    def test_who_is_absent_meets_nobody(self):
+        before = tc.Trajectory([(0, 10, tc.Motion.still(ORIGIN))])
+        after = tc.Trajectory([(11, 20, tc.Motion.still(ORIGIN))])
+        self.assertEqual(len(tc.conflicts(SQUARE, before, SQUARE, after)), 1)
+        self.assertEqual(tc.conflicts(SQUARE, before, SQUARE, after, absent_outside=True), [])
+        self.assertIsNone(tc.time_of_impact(SQUARE, before, SQUARE, after, absent_outside=True))
+        scene = tc.Scene()
+        bodies = [scene.add(SQUARE, ORIGIN) for _ in range(2)]
+        ways = list(zip(bodies, [before, after]))
+        self.assertEqual(len(scene.conflicts(ways)), 1)
+        self.assertEqual(scene.conflicts(ways, absent_outside=True), [])
+        self.assertEqual(scene.impacts(ways, absent_outside=True), [])
+
     def test_contacts(self):
         beam = tc.Polygon([(-1, 4), (10, 4), (10, 5), (-1, 5)])
         self.assertEqual(len(tc.contacts(FRAME, ORIGIN, beam, ORIGIN)), 2)
@@ -237,6 +281,10 @@ class Pairs(unittest.TestCase):
         self.assertEqual((hit.fraction, hit.edge), (0.5, 3))
         np.testing.assert_array_equal(hit.normal, (-1, 0))
         self.assertIsNone(tc.cast_ray(SQUARE, (2, 0, 0), (0, 5), (4, 5)))
+        parts = tc.cast_ray_all(FRAME, ORIGIN, (-1, 4), (9, 4))
+        self.assertEqual([(part.begin.edge, part.end.edge) for part in parts], [(3, 7), (5, -1)])
+        np.testing.assert_array_equal([part.end.point for part in parts], [(1, 4), (9, 4)])
+        self.assertEqual(len(tc.cast_ray_all(FRAME, ORIGIN, (-1, 4), (9, 4), margin=4)), 1)
 
     def test_other_threads_run_meanwhile(self):
         rng = np.random.default_rng(2)
@@ -334,6 +382,10 @@ class Scenes(unittest.TestCase):
         self.assertEqual(body, self.far)
         self.assertAlmostEqual(hit.fraction, 0.5)
         self.assertIsNone(self.scene.cast_ray((0, 5), (1, 5)))
+        parts = self.scene.cast_ray_all((-1, 0.5), (9, 0.5))
+        self.assertEqual([body for body, _ in parts], [self.near, self.far])
+        np.testing.assert_allclose([part.end.fraction for _, part in parts], [0.2, 0.75])
+        self.assertEqual([body for body, _ in self.scene.cast_ray_all((-1, 0.5), (9, 0.5), mask=2)], [self.far])
 
     def test_an_error_of_many_poses_says_which(self):
         poses = np.zeros((1000, 3))

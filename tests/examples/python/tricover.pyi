@@ -62,6 +62,9 @@ class Polygon:
     def is_convex(self) -> bool: ...
     def translated(self, by: ArrayLike) -> Polygon: ...
     def scaled(self, factor: float) -> Polygon: ...
+    def transformed(self, pose: PosesLike) -> Polygon: ...
+    def bounds_at(self, pose: PosesLike) -> NDArray[np.float64]:
+        """The bounds of its region under a pose, (2, 2)."""
     def simplified(self, tolerance: float, side: Simplify = Simplify.BOTH) -> Polygon:
         """Of fewer vertices; neither region is farther from the other than the tolerance. Outwards: it covers this one."""
     def edge(self, edge: int) -> NDArray[np.float64]:
@@ -76,6 +79,9 @@ class Poses:
         """From homogeneous matrices, (3, 3) or (n, 3, 3)."""
     def __array__(self, dtype: Optional[DTypeLike] = None, copy: Optional[bool] = None) -> NDArray[np.float64]: ...
 
+def pose(x: float, y: float, heading: float = 0.0) -> Poses:
+    """One pose."""
+
 PosesLike = Union[Poses, ArrayLike]
 
 def point(p: ArrayLike) -> Polygon:
@@ -83,6 +89,9 @@ def point(p: ArrayLike) -> Polygon:
 
 def segment(p: ArrayLike, q: ArrayLike) -> Polygon:
     """A polygon that is a segment: with a margin, a stadium."""
+
+def box(width: float, height: float) -> Polygon:
+    """The rectangle around the origin of its frame."""
 
 def outline(cells: ArrayLike, resolution: float = 1.0, origin: ArrayLike = (0, 0)) -> Optional[Polygon]:
     """The cells (height, width) that aren't 0, the lowest row first, as one polygon with holes; None without any."""
@@ -180,12 +189,39 @@ class RayHit(NamedTuple):
     normal: NDArray[np.float64]
     edge: int
 
+class RayInterval(NamedTuple):
+    """A part of a ray in a region: where it enters, and where it leaves."""
+    begin: RayHit
+    end: RayHit
+
+class SignedDistance(NamedTuple):
+    """The distance, or minus the depth of the overlap; the normal points from a to b."""
+    distance: float
+    normal: NDArray[np.float64]
+    point_a: NDArray[np.float64]
+    point_b: NDArray[np.float64]
+    edge_a: int
+    edge_b: int
+
+class LeastDistance(NamedTuple):
+    """The least distance on the way, when it is and where."""
+    distance: float
+    lower_bound: float
+    time: float
+    point_a: NDArray[np.float64]
+    point_b: NDArray[np.float64]
+    edge_a: int
+    edge_b: int
+    budget_ended: bool
+
 Way = TypeVar("Way", Motion, Trajectory)
 
 def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
             touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
 def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              threads: int = 0) -> Distance: ...
+def signed_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
+                    threads: int = 0) -> Union[SignedDistance, List[SignedDistance]]: ...
 def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
                 touching: Touching = Touching.COLLIDES,
                 threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
@@ -193,16 +229,22 @@ def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margi
              most: Optional[int] = None, detail: ContactDetail = ContactDetail.GLOBAL_DEPTH,
              touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
 def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
-                   ignore_initial: bool = False) -> Optional[Impact]:
+                   ignore_initial: bool = False, absent_outside: bool = False) -> Optional[Impact]:
     """Of two motions, or of two trajectories, by whose clock times then are. `ignore_initial`: what meets at the start
-    counts only once it has parted."""
+    counts only once it has parted. `absent_outside`: a body is there only during its trajectory."""
 
 def conflicts(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
-              ignore_initial: bool = False) -> List[Conflict]:
+              ignore_initial: bool = False, absent_outside: bool = False) -> List[Conflict]:
     """All spans of time in which they meet, likewise."""
+
+def least_distance(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, error: float = 1e-6,
+                   absent_outside: bool = False) -> LeastDistance:
+    """Of two motions, or of two trajectories."""
 
 def cast_ray(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike,
              margin: float = 0.0) -> Optional[RayHit]: ...
+def cast_ray_all(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike,
+                 margin: float = 0.0) -> List[RayInterval]: ...
 def locate(polygon: Polygon, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]:
     """Of one point (2,) in the polygon's frame a Location, of many (n, 2) the numbers of theirs: 0, 1, 2."""
 
@@ -239,12 +281,18 @@ class Scene:
                 ignored: Optional[int] = None) -> Optional[Tuple[int, Distance]]: ...
     def first_impact(self, polygon: Polygon, motion: Union[Motion, Trajectory], margin: float = 0.0,
                      time_error: float = 1e-6, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
-                     ignore_initial: bool = False) -> Optional[Tuple[int, Impact]]: ...
+                     ignore_initial: bool = False,
+                     absent_outside: bool = False) -> Optional[Tuple[int, Impact]]: ...
     def impacts(self, motions: Sequence[Tuple[int, Way]], margin: float = 0.0, time_error: float = 1e-6,
-                ignore_initial: bool = False, threads: int = 0) -> List[Tuple[int, int, Impact]]:
+                ignore_initial: bool = False, absent_outside: bool = False,
+                threads: int = 0) -> List[Tuple[int, int, Impact]]:
         """Of motions, or of trajectories."""
     def conflicts(self, trajectories: Sequence[Tuple[int, Trajectory]], margin: float = 0.0, time_error: float = 1e-6,
-                  ignore_initial: bool = False, threads: int = 0) -> List[Tuple[int, int, Conflict]]:
+                  ignore_initial: bool = False, absent_outside: bool = False,
+                  threads: int = 0) -> List[Tuple[int, int, Conflict]]:
         """All spans of time in which any two meet."""
     def cast_ray(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
                  ignored: Optional[int] = None) -> Optional[Tuple[int, RayHit]]: ...
+    def cast_ray_all(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
+                     ignored: Optional[int] = None) -> List[Tuple[int, RayInterval]]:
+        """All of a ray that is in a body, in the order in which the ray enters."""
