@@ -14,10 +14,13 @@
 namespace tricover {
 namespace {
 
+/// Whether half of a ray is cast at a time, since lengths of motions, and twice these, are finite.
+bool isTooLong(const Vec2& from, const Vec2& to) { return !((to - from).lpNorm<Eigen::Infinity>() < 0x1p1020); }
+
 /// With a margin: the impact of a point that moves along the ray.
 std::optional<RayHit> castRoundRay(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                    double margin) {
-  if (!(to - from).allFinite()) {  // no motion is as long: in two halves
+  if (isTooLong(from, to)) {
     const Vec2 middle = 0.5 * from + 0.5 * to;
     std::optional<RayHit> hit = castRoundRay(polygon, pose, from, middle, margin);
     if (hit) {
@@ -39,7 +42,7 @@ std::optional<RayHit> castRoundRay(const Polygon& polygon, const Pose& pose, con
 std::vector<RayInterval> castRoundRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                          double margin) {
   std::vector<RayInterval> intervals;
-  if (!(to - from).allFinite()) {
+  if (isTooLong(from, to)) {
     const Vec2 middle = 0.5 * from + 0.5 * to;
     for (const int half : {0, 1})
       for (RayInterval part :

@@ -22,4 +22,18 @@ TEST(Documentation, Ray) {
   //! [ray]
 }
 
+TEST(Documentation, RayAll) {
+  //! [all]
+  const tricover::Polygon frame({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}});  // with a hole
+  const tricover::Pose pose = tricover::Pose::Identity();
+  const std::vector<tricover::RayInterval> parts = tricover::castRayAll(frame, pose, {-4, 2}, {4, 2});
+  EXPECT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].begin.point, tricover::Vec2(0, 2));
+  EXPECT_EQ(parts[0].end.point, tricover::Vec2(1, 2));
+  EXPECT_EQ(parts[0].end.edge, 7);                                                     // the hole's left edge
+  EXPECT_EQ(parts[1].end.edge, -1);                                                    // ends in the region
+  EXPECT_EQ(tricover::castRayAll(frame, pose, {-1, 3}, {1, 5})[0].end.fraction, 0.5);  // grazes a corner
+  //! [all]
+}
+
 }  // namespace

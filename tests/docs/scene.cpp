@@ -183,6 +183,7 @@ TEST(Documentation, SceneQueries) {
   EXPECT_FALSE(scene.nearestWithin(square, at(2.5), 0.25));
   EXPECT_EQ(scene.firstImpact(square, tricover::Motion::translation(at(2), {8, 0}))->body, right);
   EXPECT_EQ(scene.castRay({-1, 0.5}, {9, 0.5})->hit.fraction, 0.1);
+  EXPECT_EQ(scene.castRayAll({-1, 0.5}, {9, 0.5})[1].interval.end.fraction, 0.6);  // where it leaves the second body
   //! [scene queries]
 }
 

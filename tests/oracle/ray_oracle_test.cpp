@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// castRay() against the exact reference, where signs vanish: rays through vertices, along edges, that start or end on
-// them; and against collide() with the ray as a segment.
+// castRay() and castRayAll() against the exact reference, where signs vanish: rays through vertices, along edges, that
+// start or end on them; and against collide() with the ray as a segment.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,6 +25,7 @@ constexpr int kRaysEach = 8;
 
 struct Tally {
   int rays = 0, misses = 0, inside = 0, hits = 0, disagreements = 0;
+  int several = 0, touches = 0;  ///< rays of several intervals, and intervals of one point
 };
 
 void check(const Polygon& polygon, const Pose& pose, const Ray& ray, Tally& tally) {
@@ -39,6 +40,13 @@ void check(const Polygon& polygon, const Pose& pose, const Ray& ray, Tally& tall
     wrong = "collide";
   else if (hit)
     wrong = wrongHit(polygon, pose, ray, *hit, *truth);
+  const std::vector<exact::Interval> parts = exact::castRayAll(polygon, pose, ray.from, ray.to);
+  tally.several += parts.size() > 1;
+  for (const exact::Interval& part : parts) tally.touches += part.begin.fraction == part.end.fraction;
+  if (wrong.empty()) {
+    wrong = wrongIntervals(polygon, pose, ray, castRayAll(polygon, pose, ray.from, ray.to), parts);
+    if (!wrong.empty()) wrong = "castRayAll: " + wrong;
+  }
   if (wrong.empty() || ++tally.disagreements > 3) return;
   ADD_FAILURE() << wrong << ", hit " << (hit ? hit->edge : -2) << " at " << (hit ? hit->fraction : -1) << ", truth "
                 << (truth ? truth->edge : -2) << " at " << (truth ? truth->fraction.get_d() : -1) << "\n"
@@ -49,6 +57,7 @@ void expectAllOutcomes(const Tally& tally) {
   EXPECT_EQ(tally.disagreements, 0);
   if (tally.rays < 1000) return;
   for (const int count : {tally.misses, tally.inside, tally.hits}) EXPECT_GE(count, 0.05 * tally.rays);
+  EXPECT_GE(tally.several + tally.touches, 0.01 * tally.rays);
 }
 
 class RayOracle : public testing::TestWithParam<Family> {};
@@ -65,8 +74,9 @@ TEST_P(RayOracle, AgreesWithExactRationals) {
       if (at_b.from.allFinite() && at_b.to.allFinite()) check(c.b, c.pose_b, at_b, tally);
     }
   }
-  std::printf("%-22s %6d rays %6d misses %6d inside %6d hits %4d disagreements\n", GetParam().name, tally.rays,
-              tally.misses, tally.inside, tally.hits, tally.disagreements);
+  std::printf("%-22s %6d rays %6d misses %6d inside %6d hits %6d of several parts %6d touches %4d disagreements\n",
+              GetParam().name, tally.rays, tally.misses, tally.inside, tally.hits, tally.several, tally.touches,
+              tally.disagreements);
   expectAllOutcomes(tally);
 }
 

@@ -13,7 +13,8 @@
 
 namespace tricover::soak {
 
-/// castRay() against the exact first point: rays through vertices, along edges, from far away, that end where they hit.
+/// castRay() and castRayAll() against the exact first point and the exact intervals: rays through vertices, along
+/// edges, from far away, that end where they hit.
 void soakRay(Run& run) {
   while (run.next()) {
     Random& random = run.random();
@@ -26,9 +27,12 @@ void soakRay(Run& run) {
       const std::optional<exact::FirstHit> truth = exact::castRay(polygon, pose, ray.from, ray.to);
       const std::optional<RayHit> hit = castRay(polygon, pose, ray.from, ray.to);
       run.count(drawn.family, truth.has_value());
-      const std::string problem = hit.has_value() != truth.has_value() ? "hit or not"
-                                  : hit ? support::wrongHit(polygon, pose, ray, *hit, *truth)
-                                        : "";
+      std::string problem = hit.has_value() != truth.has_value() ? "hit or not"
+                            : hit                                ? support::wrongHit(polygon, pose, ray, *hit, *truth)
+                                                                 : "";
+      if (problem.empty())
+        problem = support::wrongIntervals(polygon, pose, ray, castRayAll(polygon, pose, ray.from, ray.to),
+                                          exact::castRayAll(polygon, pose, ray.from, ray.to));
       if (!problem.empty())
         run.fail(drawn.family, problem + ", the ray is b's edge 0",
                  support::reproduction({polygon, pose, segment(ray.from, ray.to), Pose::Identity()}));

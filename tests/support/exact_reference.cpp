@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -344,6 +345,49 @@ std::optional<FirstHit> castRay(const Polygon& polygon, const Pose& pose, const 
   }
   if (!least) return std::nullopt;
   return FirstHit{inWorldUnits(*least, 0), first};
+}
+
+std::vector<Interval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
+  const Pair pair = griddedPair(polygon, pose, Polygon({{from, to, to}}), Pose::Identity());
+  const std::vector<Edge> all = edges(pair.a);
+  const Point &start = pair.b.rings[0][0], &end = pair.b.rings[0][1], way = {end.x - start.x, end.y - start.y};
+  const bool starts = locate(pair.a, all, start) != Location::Outside;
+  if (from == to) return starts ? std::vector<Interval>{{{0, -1}, {1, -1}}} : std::vector<Interval>{};
+  const Edge ray = edge(start, end);
+  std::map<mpq_class, std::ptrdiff_t> firsts, lasts;  // the lowest edge at each fraction
+  std::vector<mpq_class> cuts = {0, 1};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!edgesMeet(ray, all[i])) continue;
+    const mpq_class first = inWorldUnits(fractionOfWay(start, way, all[i]), 0);
+    const mpq_class last = 1 - inWorldUnits(fractionOfWay(end, {-way.x, -way.y}, all[i]), 0);
+    firsts.emplace(first, i);
+    lasts.emplace(last, i);
+    cuts.insert(cuts.end(), {first, last});
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  while (cuts.front() < 0) cuts.erase(cuts.begin());  // an edge along the ray may begin before it
+  while (cuts.back() > 1) cuts.pop_back();
+  // On a grid as fine as the middle needs.
+  const auto isInsideAt = [&](const mpq_class& fraction) {
+    Shape fine = pair.a;
+    const mpz_class &n = fraction.get_num(), &d = fraction.get_den();
+    for (auto& ring : fine.rings)
+      for (Point& p : ring) p = {p.x * d, p.y * d};
+    return locate(fine, edges(fine), {start.x * d + way.x * n, start.y * d + way.y * n}) != Location::Outside;
+  };
+  std::vector<Interval> intervals;
+  bool is_open = false;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const mpq_class& cut = cuts[i];
+    const bool is_in = firsts.count(cut) + lasts.count(cut) > 0 || (i > 0 && i + 1 < cuts.size()) ||
+                       locate(pair.a, all, i == 0 ? start : end) != Location::Outside;
+    if (!is_in) continue;
+    if (!is_open) intervals.push_back({{cut, i == 0 ? -1 : firsts.at(cut)}, {}});
+    is_open = i + 1 < cuts.size() && isInsideAt((cut + cuts[i + 1]) / 2);
+    if (!is_open) intervals.back().end = {cut, i + 1 == cuts.size() ? -1 : lasts.at(cut)};
+  }
+  return intervals;
 }
 
 bool within(const mpq_class& distance_squared, const mpq_class& length) { return distance_squared <= length * length; }

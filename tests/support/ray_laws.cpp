@@ -107,4 +107,32 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
   return std::abs(hit.normal.dot(along)) > 1e-14 ? "normal along the edge" : "";
 }
 
+std::string wrongIntervals(const Polygon& polygon, const Pose& pose, const Ray& ray,
+                           const std::vector<RayInterval>& intervals, const std::vector<exact::Interval>& truth) {
+  if (intervals.size() != truth.size()) return "number of intervals";
+  const auto hit = castRay(polygon, pose, ray.from, ray.to);
+  if (hit.has_value() == intervals.empty()) return "castRay: hit or not";
+  if (!hit) return "";
+  const RayHit& first = intervals.front().begin;
+  if (hit->fraction != first.fraction || hit->point != first.point || hit->normal != first.normal ||
+      hit->edge != first.edge)
+    return "castRay: the first begin";
+  const auto back = castRayAll(polygon, pose, ray.to, ray.from);
+  if (back.size() != intervals.size()) return "number of intervals on the way back";
+  double fraction = 0;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const RayHit &begin = intervals[i].begin, &end = intervals[i].end;
+    if (!(fraction <= begin.fraction && begin.fraction <= end.fraction)) return "order";
+    fraction = end.fraction;
+    std::string wrong = wrongHit(polygon, pose, ray, begin, truth[i].begin);
+    if (!wrong.empty()) return "begin: " + wrong;
+    wrong = wrongHit(polygon, pose, ray, {end.fraction, end.point, -end.normal, end.edge}, truth[i].end);
+    if (!wrong.empty()) return "end: " + wrong;
+    const RayInterval& opposite = back[back.size() - 1 - i];
+    if (opposite.begin.edge != end.edge || opposite.end.edge != begin.edge) return "edges on the way back";
+    if (opposite.begin.normal != end.normal || opposite.end.normal != begin.normal) return "normals on the way back";
+  }
+  return "";
+}
+
 }  // namespace tricover::support

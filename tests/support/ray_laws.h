@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "exact_reference.h"
 #include "random.h"
@@ -23,5 +24,10 @@ EdgeIndex namedEdge(const Polygon& polygon, EdgeIndex edge);
 /// What is wrong with a hit where there is one; empty if it is right.
 std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, const RayHit& hit,
                      const exact::FirstHit& truth);
+
+/// What is wrong with the intervals in the region; empty if they are right. Beside the truth, the first one begins with
+/// castRay()'s hit, and the way back meets the same edges.
+std::string wrongIntervals(const Polygon& polygon, const Pose& pose, const Ray& ray,
+                           const std::vector<RayInterval>& intervals, const std::vector<exact::Interval>& truth);
 
 }  // namespace tricover::support

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -293,11 +294,21 @@ class SceneWalk {
     std::optional<BodyRayHit> expected;
     std::vector<Scene::Body> sorted = bodies_;
     std::sort(sorted.begin(), sorted.end());
+    std::multiset<std::tuple<Scene::Body, double, double>> parts, expected_parts;
     for (const Scene::Body body : sorted) {
       if (marginOf(body) > 0 || body == except) continue;
       const auto hit = castRay(scene_.polygon(body), scene_.pose(body), from, to);
+      for (const RayInterval& part : castRayAll(scene_.polygon(body), scene_.pose(body), from, to))
+        expected_parts.emplace(body, part.begin.fraction, part.end.fraction);
       if (hit && (!expected || hit->fraction < expected->hit.fraction)) expected = BodyRayHit{body, *hit};
     }
+    double last = 0;
+    for (const BodyRayInterval& part : scene_.castRayAll(from, to, {}, {1, except})) {
+      expect(last <= part.interval.begin.fraction, "castRayAll: order");
+      last = part.interval.begin.fraction;
+      if (marginOf(part.body) == 0) parts.emplace(part.body, part.interval.begin.fraction, part.interval.end.fraction);
+    }
+    expect(parts == expected_parts, "castRayAll: intervals");
     const auto hit = scene_.castRay(from, to, {}, {1, except});
     expect(hit.has_value() == expected.has_value(), "castRay: whether there is one");
     if (!hit || !expected) return;

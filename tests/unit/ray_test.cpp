@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// castRay()'s laws; the truth about degenerate rays is tests/oracle's.
+// castRay()'s and castRayAll()'s laws; the truth about degenerate rays is tests/oracle's.
 #include "tricover/ray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
 
 #include "exact_reference.h"
 #include "hierarchy/hierarchy.h"
@@ -15,6 +17,7 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -173,11 +176,153 @@ TEST(Ray, FindsTheFirstEdgeOnRaysOfAnyLength) {
   EXPECT_GT(hits, 60);
 }
 
+/// "begin edge @ x .. end edge @ x" of each interval, where x is a coordinate of the points.
+std::string intervalsOf(const Polygon& polygon, const Vec2& from, const Vec2& to, double margin = 0, int axis = 0) {
+  std::string text;
+  const auto end = [&](const RayHit& hit) {
+    char number[64];
+    std::snprintf(number, sizeof number, "%d@%.9g", static_cast<int>(hit.edge), hit.point[axis]);
+    return std::string(number);
+  };
+  for (const RayInterval& part : castRayAll(polygon, Pose::Identity(), from, to, {margin}))
+    text += (text.empty() ? "" : " ") + end(part.begin) + ".." + end(part.end);
+  return text;
+}
+
+TEST(RayAll, PassesWallsAndHoles) {
+  EXPECT_EQ(intervalsOf(wall(), {0, 0}, {4, 0}), "3@2..7@2.25 11@2.4..9@2.6 5@2.75..1@3");
+  EXPECT_EQ(intervalsOf(wall(), {4, 0}, {0, 0}), "1@3..5@2.75 9@2.6..11@2.4 7@2.25..3@2");
+  EXPECT_EQ(intervalsOf(wall(), {2.5, 0}, {2.8, 0}), "-1@2.5..9@2.6 5@2.75..-1@2.8");
+  EXPECT_EQ(intervalsOf(wall(), {2.3, 0}, {2.35, 0}), "");
+  EXPECT_EQ(intervalsOf(wall(), {0, 5}, {4, 5}), "");
+  const auto parts = castRayAll(wall(), Pose::Identity(), {0, 0.5}, {4, 0.5});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].begin.normal, Vec2(-1, 0));
+  EXPECT_EQ(parts[0].end.normal, Vec2(1, 0));
+  EXPECT_EQ(parts[0].end.fraction, 0.5625);
+}
+
+/// A touched vertex and a spike are single points or run along; where rings of the region touch, the interval goes on.
+TEST(RayAll, TouchesVerticesAndRunsAlongEdges) {
+  EXPECT_EQ(intervalsOf(wall(), {1, 3}, {3, 5}), "2@2..2@2");
+  EXPECT_EQ(intervalsOf(wall(), {1, 3}, {2, 4}), "2@2..-1@2");
+  EXPECT_EQ(intervalsOf(wall(), {2, 4}, {1, 3}), "-1@2..2@2");
+  EXPECT_EQ(intervalsOf(wall(), {2, 4}, {1, 5}), "-1@2..2@2");
+  EXPECT_EQ(intervalsOf(wall(), {0, 4}, {5, 4}), "2@2..1@3");
+  EXPECT_EQ(intervalsOf(wall(), {2.2, 4}, {2.7, 4}), "-1@2.2..-1@2.7");
+  EXPECT_EQ(intervalsOf(wall(), {0, 1}, {5, 1}), "3@2..1@3");  // along the hole's edge
+  const Polygon spiked({{{0, 0}, {1, 0}, {1, 1}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}});
+  EXPECT_EQ(intervalsOf(spiked, {-1, 1}, {4, 1}), "6@0..2@3");
+  EXPECT_EQ(intervalsOf(spiked, {2, 0}, {2, 2}, 0, 1), "2@1..2@1");
+  EXPECT_EQ(intervalsOf(spiked, {2, 1}, {4, 1}), "-1@2..2@3");
+  const Polygon abutting({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1), rectangle(3, 1, 4, 2)});
+  EXPECT_EQ(intervalsOf(abutting, {-1, 0.5}, {5, 0.5}), "3@0..5@2");
+  EXPECT_EQ(intervalsOf(abutting, {-1, 1}, {5, 1}), "2@0..5@2 8@3..8@4");
+  const Polygon twice({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)});  // even-odd: edges alone
+  EXPECT_EQ(intervalsOf(twice, {-1, 0.5}, {5, 0.5}), "3@0..3@0 1@1..1@1");
+  EXPECT_EQ(intervalsOf(segment({1, 0}, {3, 0}), {0, 0}, {4, 0}), "0@1..0@3");
+  EXPECT_EQ(intervalsOf(segment({1, 0}, {3, 0}), {2, 0}, {1, 0}), "-1@2..-1@1");
+  EXPECT_EQ(intervalsOf(point({1, 0}), {0, 0}, {4, 0}), "0@1..0@1");
+}
+
+TEST(RayAll, OfLengthZeroIsAPoint) {
+  const auto parts = castRayAll(wall(), Pose::Identity(), {2, 0}, {2, 0});
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].begin.fraction, 0);
+  EXPECT_EQ(parts[0].end.fraction, 1);
+  EXPECT_EQ(parts[0].end.edge, -1);
+  EXPECT_EQ(intervalsOf(wall(), {2.3, 0}, {2.3, 0}), "");
+}
+
+/// As above for the first edge: what winds around the ray's start is known however short or long the ray is.
+TEST(RayAll, OfAnyLength) {
+  const Polygon teeth({comb(5, 2, 1, 3)});
+  const auto first = exact::castRayAll(teeth, Pose::Identity(), {-1, 2}, {12, 2});
+  EXPECT_GT(first.size(), 3u);
+  int inside = 0;
+  for (const double length : {1e-300, 1e-30, 1.0, 20.0, 1e30, 1e300})
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 from(i / 16.0, 1 + i % 7 / 4.0), to = from + length * Vec2(i % 3 - 1, i % 2);
+      const auto parts = castRayAll(teeth, Pose::Identity(), from, to);
+      const auto truth = exact::castRayAll(teeth, Pose::Identity(), from, to);
+      ASSERT_EQ(parts.size(), truth.size()) << length << ", " << i;
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        EXPECT_EQ(parts[k].begin.edge, truth[k].begin.edge);
+        EXPECT_EQ(parts[k].end.edge, truth[k].end.edge);
+        const double end = truth[k].end.fraction.get_d();
+        EXPECT_NEAR(parts[k].end.fraction, end, 1e-12 * end);
+      }
+      inside += !parts.empty() && parts[0].begin.edge < 0;
+    }
+  EXPECT_GT(inside, 300);
+  EXPECT_LT(inside, 900);
+  EXPECT_EQ(intervalsOf(Polygon({rectangle(-1, -1, 1, 1)}), {-kLargest, 0.5}, {kLargest, 0.5}, 0, 1), "3@0.5..1@0.5");
+}
+
+TEST(RayAll, MeetsAMargin) {
+  const Polygon posts({rectangle(0, 0, 1, 1), rectangle(3, 0, 4, 1), rectangle(10, 0, 11, 1)});
+  EXPECT_EQ(intervalsOf(posts, {-5, 0.5}, {15, 0.5}, 0.5), "3@-0.5..1@1.5 7@2.5..5@4.5 11@9.5..9@11.5");
+  EXPECT_EQ(intervalsOf(posts, {-5, 0.5}, {15, 0.5}, 2), "3@-2..5@6 11@8..9@13");
+  EXPECT_EQ(intervalsOf(posts, {0.5, 0.5}, {3.5, 0.5}, 0.5), "-1@0.5..1@1.5 7@2.5..-1@3.5");
+  EXPECT_EQ(intervalsOf(posts, {-5, 1.5}, {15, 1.5}, 0.25), "");
+  EXPECT_EQ(intervalsOf(posts, {0.5, 0.5}, {0.5, 0.5}, 0.25), "-1@0.5..-1@0.5");
+  const auto parts = castRayAll(posts, Pose::Identity(), {-5, 0.5}, {15, 0.5}, {0.5});
+  EXPECT_NEAR((parts[1].begin.normal - Vec2(-1, 0)).norm() + (parts[1].end.normal - Vec2(1, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR(parts[1].end.fraction, 9.5 / 20, 1e-13);
+  // Along the outline of the grown region, and beside it.
+  EXPECT_FALSE(castRayAll(posts, Pose::Identity(), {-5, 1.5}, {15, 1.5}, {0.5}).empty());
+  EXPECT_EQ(intervalsOf(posts, {-5, 1.501}, {15, 1.501}, 0.5), "");
+  // Longer than a double: in halves that meet in the region.
+  const Polygon huge({rectangle(-1e306, -1e306, 1e306, 1e306), rectangle(1e307, -1, 1.1e307, 1)});
+  const auto far = castRayAll(huge, Pose::Identity(), {-kLargest, 0}, {kLargest, 0}, {1e305});
+  ASSERT_EQ(far.size(), 2u);
+  EXPECT_NEAR(far[0].begin.point.x() / 1e306, -1.1, 1e-6);
+  EXPECT_NEAR(far[0].end.point.x() / 1e306, 1.1, 1e-6);
+  EXPECT_NEAR(far[1].end.point.x() / 1e306, 11.1, 1e-6);
+}
+
+/// The first interval begins with castRay()'s hit, and ends lie where the grown region ends.
+TEST(RayAll, WithAMarginAgreesWithCastRayAndCollide) {
+  Random random(5);
+  int several = 0, intervals = 0;
+  for (int i = 0; i < scaledCount(300); ++i) {
+    const Polygon polygon({star(random, random.integer(3, 40), 0.2, 1)});
+    const Pose placed = randomPose(random, 1);
+    const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
+    const double margin = random.real(0.01, 0.3);
+    const auto parts = castRayAll(polygon, placed, from, to, {margin});
+    const auto first = castRay(polygon, placed, from, to, {margin});
+    ASSERT_EQ(first.has_value(), !parts.empty());
+    if (first) {
+      EXPECT_EQ(first->fraction, parts[0].begin.fraction);
+      EXPECT_EQ(first->normal, parts[0].begin.normal);
+      EXPECT_EQ(first->edge, parts[0].begin.edge);
+    }
+    several += parts.size() > 1;
+    const auto collidesAt = [&](const Vec2& p, double by) {
+      return collide(point(p), Pose::Identity(), polygon, placed, {margin + by, 0});
+    };
+    for (const RayInterval& part : parts) {
+      ++intervals;
+      for (const RayHit* hit : {&part.begin, &part.end}) {
+        EXPECT_TRUE(collidesAt(hit->point, 1e-12));
+        EXPECT_TRUE(hit->edge < 0 || !collidesAt(hit->point, -1e-12));
+      }
+      EXPECT_TRUE(collidesAt(0.5 * (part.begin.point + part.end.point), 1e-12));
+    }
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k)
+      EXPECT_FALSE(collidesAt(0.5 * (parts[k].end.point + parts[k + 1].begin.point), -1e-12));
+  }
+  EXPECT_GT(several, scaledCount(300) / 30);
+  EXPECT_GT(intervals, scaledCount(300) / 3);
+}
+
 TEST(Ray, RefusesWhatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Pose sheared = Pose::Identity();
   sheared.linear() << 1, 1, 0, 1;
   const auto message = [&](const Pose& pose, const Vec2& from, const Vec2& to) {
+    EXPECT_EQ(refusal([&] { castRayAll(wall(), pose, from, to); }), refusal([&] { castRay(wall(), pose, from, to); }));
     return refusal([&] { castRay(wall(), pose, from, to); });
   };
   EXPECT_NE(message(Pose::Identity(), {nan, 0}, {0, 0}).find("from"), std::string::npos);
@@ -210,7 +355,10 @@ TEST(Ray, MeetsAMargin) {
   EXPECT_TRUE(cast({-5, 3}, {5, 3}));
   EXPECT_EQ(cast({-0.5, 1}, {-9, 1})->fraction, 0);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(castRay(square, Pose::Identity(), {0, 0}, {1, 1}, {bad}), std::invalid_argument);
+    for (const bool all : {false, true})
+      EXPECT_THROW(all ? void(castRayAll(square, Pose::Identity(), {0, 0}, {1, 1}, {bad}))
+                       : void(castRay(square, Pose::Identity(), {0, 0}, {1, 1}, {bad})),
+                   std::invalid_argument);
 }
 
 }  // namespace
