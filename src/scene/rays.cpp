@@ -48,7 +48,8 @@ std::vector<BodyRayInterval> Scene::castRayAll(const Vec2& from, const Vec2& to,
     const auto& other = state.bodies[slot];
     if (!state.passes(slots, slot)) return 1.0;
     const double margin = detail::marginSum(options.margin, other.options.margin);
-    for (const RayInterval& interval : tricover::castRayAll(other.polygon, other.pose, from, to, {margin}))
+    for (const RayInterval& interval :
+         tricover::castRayAll(other.polygon, other.pose, from, to, {std::max(margin, 0.0)}))
       found.push_back({state.handleOf(slot), interval});
     return 1.0;
   });

@@ -306,7 +306,7 @@ class SceneWalk {
     for (const BodyRayInterval& part : scene_.castRayAll(from, to, {}, {1, except})) {
       expect(last <= part.interval.begin.fraction, "castRayAll: order");
       last = part.interval.begin.fraction;
-      if (marginOf(part.body) == 0) parts.emplace(part.body, part.interval.begin.fraction, part.interval.end.fraction);
+      if (marginOf(part.body) <= 0) parts.emplace(part.body, part.interval.begin.fraction, part.interval.end.fraction);
     }
     expect(parts == expected_parts, "castRayAll: intervals");
     const auto hit = scene_.castRay(from, to, {}, {1, except});

@@ -59,6 +59,8 @@ void definePolygon(py::module_& m) {
                              })
       .def_property_readonly("fill_rule", &Polygon::fillRule)
       .def_property_readonly("vertex_count", &Polygon::vertexCount)
+      .def_property_readonly("is_complement", &Polygon::isComplement)
+      .def("complement", &Polygon::complement)
       .def_property_readonly("origin", [](const Polygon& polygon) { return arrayOf(polygon.origin()); })
       .def_property_readonly("radius", &Polygon::radius)
       .def_property_readonly("area", &Polygon::area)

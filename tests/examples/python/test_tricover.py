@@ -158,7 +158,7 @@ class Poses(unittest.TestCase):
         refused(r"pose_a: it must have the shape .* not \(2,\)", SQUARE, (0, 0), SQUARE, ORIGIN)
         refused("pose_b: there are 4, but of pose_a 5", SQUARE, np.zeros((5, 3)), SQUARE, np.zeros((4, 3)))
         refused(r"matrices\[0\]: its last row", np.ones((1, 3, 3)), function=matrices)
-        refused("margin", SQUARE, ORIGIN, SQUARE, ORIGIN, -1)
+        refused("margin", SQUARE, ORIGIN, SQUARE, ORIGIN, np.nan)
         refused(r"rings\[0\]", [[(0, 0, 0)]], function=tc.Polygon)
         refused("ring 0", [[(0, 0), (1, 1)]], function=tc.Polygon)
         refused("not finite", [[(0, 0), (1, 1), (np.nan, 0)]], function=tc.Polygon)
@@ -179,6 +179,24 @@ class Pairs(unittest.TestCase):
         self.assertEqual(tc.penetration(SQUARE, ORIGIN, SQUARE, (1, 0, 0)).depth, 0)
         self.assertEqual(len(tc.contacts(SQUARE, ORIGIN, SQUARE, (1, 0, 0))), 1)
         self.assertEqual(tc.contacts(SQUARE, ORIGIN, SQUARE, (1, 0, 0), touching=allowed), [])
+
+    def test_an_overlap_may_be_allowed(self):
+        poses = [(0.95, 0, 0), (0.85, 0, 0)]
+        np.testing.assert_array_equal(tc.collide(SQUARE, ORIGIN, SQUARE, poses, margin=-0.1), [False, True])
+        floor, slides = tc.Motion.still((0, -1, 0)), tc.Motion.translation((0, 0, 0), (0.5, 0))
+        self.assertEqual(tc.time_of_impact(SQUARE, floor, SQUARE, slides).time, 0)
+        self.assertIsNone(tc.time_of_impact(SQUARE, floor, SQUARE, slides, margin=-1e-6))
+        self.assertEqual(tc.conflicts(SQUARE, floor, SQUARE, slides, margin=-1e-6), [])
+
+    def test_complements(self):
+        outside = SQUARE.complement()
+        self.assertEqual((SQUARE.is_complement, outside.is_complement), (False, True))
+        np.testing.assert_array_equal(tc.locate(outside, [(0.5, 0.5), (0, 0.5), (9, 9)]), [0, 1, 2])
+        crate = tc.box(0.5, 0.5)
+        self.assertEqual(tc.distance(outside, ORIGIN, crate, (0.5, 0.5, 0)).distance, 0.25)
+        np.testing.assert_array_equal(tc.collide(outside, ORIGIN, crate, [(0.5, 0.5, 0), (5, 5, 0)]), [False, True])
+        with self.assertRaises(ValueError):
+            tc.penetration(outside, ORIGIN, crate, (5, 5, 0))
 
     def test_measures(self):
         gap = tc.distance(SQUARE, ORIGIN, SQUARE, (4, 0, 0), margin=1)

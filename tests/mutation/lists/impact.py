@@ -48,7 +48,7 @@ MUTATIONS = [
     ("src/impact/conflicts.cpp", "return collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0});", "return collide(a_, pose_a, b_, pose_b, {margin_, 0});", "conflicts: a depth lasts for as long as one likes"),
     ("src/impact/deep_impact.cpp", "motion_b.start.translation() += shift;", "", "negative margin: b stays where it is"),
     ("src/pair/allowed_overlap.cpp", "if (!way || !(way->depth < found.front().depth)) return found;", "return found;", "negative margin: a corner is as deep as its hull"),
-    ("src/impact/conflicts.cpp", "(pathOf(motion_a) - pathOf(motion_b)).mostRate(0, 1)", "pathOf(motion_b).mostRate(0, 1)", "lasting contact: a stands still"),
+    ("src/impact/conflicts.cpp", "mostRateOf(pathOf(motion_a) - pathOf(motion_b))", "mostRateOf(pathOf(motion_b))", "lasting contact: a stands still"),
     ("src/impact/conflicts.cpp", "margin_ : margin_ + precision_)", "margin_ : margin_)", "lasting contact: a rounding apart is apart"),
     ("src/impact/conflicts.cpp", " || staysContained(time, next, travel));", ");", "lasting contact: floats tell how deep a body is held"),
     ("src/impact/conflicts.cpp", "return meet ? -1 : travel;", "return meet ? -1 : 0.01 * travel;", "lasting contact: edges that come near aren't asked"),
