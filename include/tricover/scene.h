@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tricover/collide.h"
+#include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"
 #include "tricover/polygon.h"
@@ -259,6 +260,12 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               const BodyFilter& filter = {}) const;
+  /// Returns whether the union of the bodies that pass the filter holds all of a posed polygon, as tricover::covers()
+  /// says for one area: a vehicle across lanes that overlap or share a border. Exact, for overlapping rings and bodies
+  /// alike. Throws as tricover::covers() does, and std::invalid_argument if one of these bodies that is near has a
+  /// margin. \snippet covers.cpp scene covers
+  bool covers(const Polygon& polygon, const Pose& pose, const CoverOptions& options = {},
+              const BodyFilter& filter = {}) const;
   /// Returns the body nearest to a polygon among those that pass the filter. Equal distances: the lowest handle. Throws
   /// as tricover::distance() does.
   /// \snippet scene.cpp scene queries

@@ -4,6 +4,7 @@
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/contacts.h"
+#include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"
 #include "tricover/least_distance.h"

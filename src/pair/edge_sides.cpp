@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "hierarchy/simd.h"
+#include "numbers/errors.h"
+#include "numbers/segment.h"
+#include "pair/four_ends.h"
 #include "pair/root_box.h"
 #include "polygon/covering.h"
 #include "polygon/edge_walk.h"
@@ -157,6 +160,7 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
   const int of_q = sign(v_, w_, q), of_r = sign(v_, w_, r);
   if (of_q * of_r > 0) return;
   if (of_q == 0 && of_r == 0) {
+    if (operand != operand_ && operand_ == A && regions_.sought() == PosedRegions::Outside) addAlong(operand, q, r);
     if (!isBetween(v_, q, r)) return;
     if (!isSame(v_, q)) pass(operand, way, q, 0, -1);
     if (!isSame(v_, r)) pass(operand, way, r, 0, 1);
@@ -170,13 +174,12 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
     return;
   }
   if (sign(q, r, w_) * slant >= 0) return;
-  Cut cut{{&regions_.pose(operand), &regions_.polygon(operand).path[edge]},
+  Cut cut{q.exact.pose,
+          {q.exact.local, r.exact.local},
           operand,
           static_cast<std::int8_t>(-slant),
           of_q > 0 || of_r > 0,
-          of_q < 0 || of_r < 0,
-          0,
-          1};
+          of_q < 0 || of_r < 0};
   // Of x / (x + y), with x and y wrong by their bounds, at most the sum of both divided by x + y, but for the latter's
   // error: twice.
   const ApproxArea of_v = approxArea(q.approx, r.approx, v_.approx), of_w = approxArea(q.approx, r.approx, w_.approx);
@@ -187,6 +190,26 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
     cut.high = place + error;
   }
   cuts_.push_back(cut);
+}
+
+/// An edge along the line, or a point on it.
+void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r) {
+  const int direction = compareAlong(q, r);
+  const SeenPoint &begin = direction > 0 ? q : r, &end = direction > 0 ? r : q;
+  if (direction == 0 || compareAlong(v_, end) <= 0 || compareAlong(begin, w_) <= 0) return;
+  if (compareAlong(v_, begin) <= 0)
+    ++windings_[operand].along;
+  else
+    cuts_.push_back({begin.exact.pose, {begin.exact.local, begin.exact.local}, operand, 0, false, false, 1});
+  if (compareAlong(end, w_) > 0)
+    cuts_.push_back({end.exact.pose, {end.exact.local, end.exact.local}, operand, 0, false, false, -1});
+}
+
+/// Of two points on the line: 1 if the way comes to p before q, -1 after it.
+int EdgeSides::compareAlong(const SeenPoint& p, const SeenPoint& q) const {
+  for (const int axis : {0, 1})
+    if (const int sign = compareExact(w_.exact, v_.exact, axis)) return compareExact(q.exact, p.exact, axis) * sign;
+  return 0;
 }
 
 /// An edge leaves v for `end` (turn 1), or comes from there (-1), which is on that side of v w: counter-clockwise
@@ -219,7 +242,7 @@ bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   if (p.high < q.low) return true;
   if (q.high < p.low) return false;
   const PosedSegment edge{&regions_.pose(operand_), &regions_.polygon(operand_).path[edge_]};
-  return compareFractionsExact(edge, p.edge, q.edge) < 0;
+  return compareFractionsExact(edge, p.edge(), q.edge()) < 0;
 }
 
 EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
@@ -229,20 +252,86 @@ EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
 
 /// At the current piece.
 void EdgeSides::look(std::size_t begin, std::size_t end) {
-  const Sides first = insides(0);
+  const Sides first = insides(A);
   Sides others{false, false};
+  bool has_along = false;
   for (std::size_t i = 1; i < regions_.size(); ++i) {
     const Sides other = insides(i);
     others.left |= other.left;
     others.right |= other.right;
+    has_along |= windings_[i].along > 0;
   }
-  const bool sought = regions_.sought() == PosedRegions::Inside;
-  if ((first.left && others.left == sought) || (first.right && others.right == sought))
-    bordering_.push_back({begin, end});
   const Sides own = insides(operand_), other = operand_ == A ? others : first;
-  if (own.left || own.right) return;
-  is_bare_ = true;
-  is_bare_inside_ |= other.left && other.right;
+  const bool is_bare = !own.left && !own.right, inside = regions_.sought() == PosedRegions::Inside;
+  const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
+  if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)
+    sought_.push_back({begin, end});
+  if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back({begin, end});
+  is_bare_ |= is_bare;
+  is_bare_inside_ |= is_bare && other.left && other.right;
+}
+
+bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
+  return std::any_of(boundary_.begin(), boundary_.end(),
+                     [&](const Piece& piece) { return isWithin(piece, edge, margin); });
+}
+
+/// Points err by 5U of the pair's size, with which they are mapped; places between them, and the nearest ones, by few U
+/// of it more.
+///
+/// Where that hides whether the distance is less than the margin, exact distances tell: of the ends of the edge from
+/// all of this one, where their feet are certainly on the piece, or beside it; of the piece's ends from the edge. An
+/// end at a cut is no nearer than the other edge there.
+bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) const {
+  const SeenPoint p = regions_.at(A, edge), q = regions_.at(A, edge + 1);
+  const auto isNear = [&](const SeenPoint& end, const SeenPoint& v, const SeenPoint& w) {
+    return withinExact(end.exact, v.exact, w.exact, margin, true);
+  };
+  const Vec2 v(v_.approx.x, v_.approx.y), along(w_.approx.x - v.x(), w_.approx.y - v.y());
+  const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
+  const double low = piece.begin != kNone ? cuts_[piece.begin].low : 0,
+               high = piece.end != kNone ? cuts_[piece.end].high : 1;
+  const double first = piece.begin != kNone ? cuts_[piece.begin].high : 0,
+               last = piece.end != kNone ? cuts_[piece.end].low : 1;
+  const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
+  const auto distanceOf = [&](double from, double to) {
+    const NearestPlaces nearest = nearestPlaces(other, {v + from * along, v + to * along});
+    return (nearest.on_b - nearest.on_a).norm();
+  };
+  if (first <= last && distanceOf(first, last) + error < margin) return true;
+  if (distanceOf(low, high) - error > margin) return false;
+  const double room = 0x1p-40 * (1 + size / along.norm());
+  const auto refuseIf = [&](bool is_hidden) {
+    if (is_hidden)
+      refuse("margin", "rounding hides whether a boundary is nearer where edges of the areas cross",
+             "change it by 1e-12 of the coordinates");
+  };
+  for (const SeenPoint* end : {&p, &q}) {
+    if (!isNear(*end, v_, w_)) continue;
+    const double foot = (Vec2(end->approx.x, end->approx.y) - v).dot(along) / along.squaredNorm();
+    if (piece.begin != kNone && foot < low - room) continue;
+    if (piece.end != kNone && foot > high + room) continue;
+    refuseIf((piece.begin != kNone && foot < first + room) || (piece.end != kNone && foot > last - room));
+    return true;
+  }
+  for (const auto& [cut, end] : {std::pair{piece.begin, &v_}, std::pair{piece.end, &w_}}) {
+    if (cut == kNone) {
+      if (isNear(*end, p, q)) return true;
+      continue;
+    }
+    const PosedSegment there = cuts_[cut].edge();
+    if (cuts_[cut].operand == A) return true;
+    const SeenPoint r{regions_.approx(cuts_[cut].operand, there.ends[0]), there[0]};
+    const SeenPoint s{regions_.approx(cuts_[cut].operand, there.ends[1]), there[1]};
+    if (cuts_[cut].on_left != cuts_[cut].on_right) {
+      if (isNear(sign(v_, w_, r) == 0 ? r : s, p, q)) return true;
+      continue;
+    }
+    const FourEnds ends{
+        {p.approx, q.approx, r.approx, s.approx}, {p.exact.pose, &regions_.polygon(A).path[edge]}, there};
+    refuseIf(ends.meet() || isNear(p, r, s) || isNear(q, r, s) || isNear(r, p, q) || isNear(s, p, q));
+  }
+  return false;
 }
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
@@ -252,16 +341,16 @@ bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
   const SeenPoint ends[] = {regions_.at(operand, edge), regions_.at(operand, edge + 1)};
   if (sign(v_, w_, ends[0]) != 0 || sign(v_, w_, ends[1]) != 0) {
     // As isBefore() sees it.
-    const Cut at{{ends[0].exact.pose, &regions_.polygon(operand).path[edge]}, operand, 0, false, false, 0, 1};
+    const Cut at{ends[0].exact.pose, {ends[0].exact.local, ends[1].exact.local}, operand, 0, false, false};
     return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
   }
   return std::all_of(std::begin(ends), std::end(ends), [&](const SeenPoint& end) {
-    return orientExact(cut.edge[0], cut.edge[1], end.exact) * -cut.turn * side < 0;
+    return orientExact(cut.edge()[0], cut.edge()[1], end.exact) * -cut.turn * side < 0;
   });
 }
 
 bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
-  return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
+  return std::any_of(sought_.begin(), sought_.end(), [&](const Piece& piece) {
     const std::size_t cut = side > 0 ? piece.begin : piece.end;
     return cut == kNone || std::none_of(edges.begin(), edges.end(),
                                         [&](std::size_t edge) { return isBeyond(edge, cuts_[cut], -side); });
@@ -269,7 +358,7 @@ bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side
 }
 
 bool EdgeSides::bordersBothAt(std::size_t edge) const {
-  return std::any_of(bordering_.begin(), bordering_.end(), [&](const Piece& piece) {
+  return std::any_of(sought_.begin(), sought_.end(), [&](const Piece& piece) {
     return !(piece.begin != kNone && isBeyond(edge, cuts_[piece.begin], -1)) &&
            !(piece.end != kNone && isBeyond(edge, cuts_[piece.end], 1));
   });

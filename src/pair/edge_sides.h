@@ -20,7 +20,8 @@ struct SeenPoint {
 /// Posed polygons, which the first one's translation sees: two, or one and many others.
 class PosedRegions {
  public:
-  /// What is sought beside the inside of the first: the inside of another one, or that no other one has it there.
+  /// What is sought beside the inside of the first: the inside of another one, or that no other one has it there. With
+  /// that also pieces of the first that aren't beside its inside, nor on another one.
   enum Others { Inside, Outside };
 
   explicit PosedRegions(const PosedPair& pair) : pairs_{pair} {}
@@ -63,14 +64,18 @@ class EdgeSides {
   /// `before`: the sides of the edge that ends where this one begins, if they are known.
   EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before = nullptr);
 
-  /// Whether beside some piece of it, on one side, is what is sought: both regions' inside, or the first one's alone.
-  bool bordersBoth() const { return !bordering_.empty(); }
+  /// Whether some piece of it is what is sought, or beside that on one side: of a pair, the inside of both regions.
+  bool hasSought() const { return !sought_.empty(); }
   /// Of a pair: whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other
   /// operand's.
   bool bordersBothAt(std::size_t edge) const;
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
   bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
+  /// Of an edge of an area, where what others don't hold is sought: whether some piece of it, beside which no area has
+  /// its inside on one side at least, is nearer than a margin to an edge of the first region. Throws
+  /// std::invalid_argument where rounding hides that.
+  bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }
   /// Whether along some such piece the other one has it on both.
@@ -79,21 +84,31 @@ class EdgeSides {
  private:
   /// Where another edge leaves the line or comes to it.
   struct Cut {
-    PosedSegment edge;
+    PosedSegment edge() const { return {pose, ends}; }
+
+    const Pose* pose;
+    Vec2 ends[2];  ///< of its edge, or twice that of an edge along the line
     std::size_t operand;
     std::int8_t turn;  ///< what it adds to the winding number of its polygon, as the way crosses it
     bool on_left, on_right;
-    double low, high;  ///< of its place
+    std::int8_t along = 0;     ///< what it adds to the number of edges along the line
+    double low = 0, high = 1;  ///< of its place
   };
   struct Windings {
     void add(const Cut& cut) {
       if (cut.on_left) left += cut.turn;
       if (cut.on_right) right += cut.turn;
+      along += cut.along;
     }
     int left = 0, right = 0;
+    int along = 0;  ///< edges of other operands along the line: counted where that matters
   };
   struct Sides {
     bool left, right;
+  };
+  /// By a cut at its begin and one at its end; kNone at v and w.
+  struct Piece {
+    std::size_t begin, end;
   };
   /// A place from which the way comes straight to v, and the winding number on its right at v.
   struct Way {
@@ -107,10 +122,13 @@ class EdgeSides {
   void findCuts(std::size_t operand, const EdgeSides* before);
   void leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const;
   void add(std::size_t operand, std::size_t edge, Way& way);
+  void addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r);
   void pass(std::size_t operand, Way& way, const SeenPoint& end, int side, int turn);
+  int compareAlong(const SeenPoint& p, const SeenPoint& q) const;
   bool isBefore(const Cut& p, const Cut& q) const;
   bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
   Sides insides(std::size_t operand) const;
+  bool isWithin(const Piece& piece, std::size_t edge, double margin) const;
   void look(std::size_t begin, std::size_t end);
 
   const PosedRegions& regions_;
@@ -118,12 +136,9 @@ class EdgeSides {
   SeenPoint v_, w_;
   std::vector<Windings> windings_;  ///< by operand, beside the current piece, at last at w
   std::vector<Cut> cuts_;           ///< between v and w, in order
-  /// By a cut at its begin and one at its end; kNone at v and w.
-  struct Piece {
-    std::size_t begin, end;
-  };
   static constexpr std::size_t kNone = ~std::size_t{0};
-  std::vector<Piece> bordering_;  ///< pieces beside which, on one side, is what is sought
+  std::vector<Piece> sought_;    ///< pieces that are what is sought, or beside it on one side
+  std::vector<Piece> boundary_;  ///< those beside which no other region but the first has its inside on both
   bool is_bare_ = false, is_bare_inside_ = false;
 };
 

@@ -46,7 +46,7 @@ class InteriorSearch {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
     const EdgeSides& sides = sides_.of(operand, edge);
     has_bare_[operand] |= sides.isBareInside();
-    return sides.bordersBoth();
+    return sides.hasSought();
   }
 
   /// `start` is the position of the first edge of a ring that starts inside of the other region, or -1.

@@ -4,7 +4,7 @@ MUTATIONS = [
     ("src/pair/collide_by_edges.cpp", "constexpr std::size_t kMostAnEdge = 32;", "constexpr std::size_t kMostAnEdge = 32000000;", "edges alone: chains of large polygons, each with each"),
     ("src/pair/edge_sides.cpp", "if (of_q * of_r > 0) return;", "if (of_q * of_r >= 0) return;", "interiors: edges that end on the line"),
     ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
-    ("src/pair/edge_sides.cpp", "(first.right && others.right == sought)", "(first.left && others.right == sought)", "interiors: one on either side"),
+    ("src/pair/edge_sides.cpp", "(first.right && others.right == inside)", "(first.left && others.right == inside)", "interiors: one on either side"),
     ("src/pair/edge_sides.cpp", "if (is_passed) beside.right += turn;", "", "interiors: edges around a vertex aren't passed"),
     ("src/pair/edge_sides.cpp", "if (side != 0 || !isAhead()) beside.right += turn;", "", "interiors: an edge that leads back"),
     ("src/pair/edge_sides.cpp", "way.course > 0 ? from_way > 0 && side < 0 :", "", "interiors: left and right turns around a vertex"),

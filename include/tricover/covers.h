@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tricover/export.h"
+#include "tricover/polygon.h"
+#include "tricover/pose.h"
+
+namespace tricover {
+
+/// The options of covers() and Scene::covers().
+struct CoverOptions {
+  /// A world length, at least 0. Inflates the part: all points within the margin of the part must lie in the area, too.
+  /// A boundary of the area exactly that far from the part is far enough.
+  double margin = 0;
+};
+
+/// Returns whether a posed area holds all of a posed part: a vehicle in a lane, a part in a sheet. The part may touch
+/// the area's boundary. Exact.
+///
+/// Regions are closed. A part without an interior (a point, a segment, an edge that goes back the way it came) is
+/// covered where the area has its inside on one side at least, or an edge. An area without an interior covers only what
+/// lies along its edges, and nothing with a margin.
+///
+/// The time is O((n + k) log n) for n edges near the part and k pairs of them that meet.
+///
+/// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is negative or not finite;
+/// and if an edge of the area nearer to the part than the margin is a boundary of the area only in places (where rings
+/// overlap under FillRule::NonZero) and rounding hides whether those are nearer, too.
+///
+/// \snippet covers.cpp covers
+TRICOVER_EXPORT bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, const Pose& pose_part,
+                            const CoverOptions& options = {});
+
+}  // namespace tricover
