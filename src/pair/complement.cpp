@@ -81,7 +81,7 @@ class InnerPieces {
   bool has(std::size_t piece) {
     const EdgeSides& sides = sides_.of(EdgeSides::A, outside_.edgePosition(piece));
     if (!sides.isBare()) return false;
-    if (!sides.bordersBoth()) return true;
+    if (!sides.hasSought()) return true;
     const std::size_t edge = pieces_[piece].edge, ring = given_.ringOf(edge);
     refuse("rings: ring " + std::to_string(ring) + ", vertex " + std::to_string(edge - given_.edgeBegin(ring)),
            "the edge from there is partly inside of the region, from a crossing on that is no vertex",

@@ -74,7 +74,7 @@ class CoverSearch {
     const PolygonData& polygon = seen.a;
     const ApproxPoint center = seenFromA(seen, part_.origin).approx;
     const Vec2 at = polygon.inUnits({center.x, center.y});
-    const double reach = part_.radius * (1 + 4 * kLargestDefect) * polygon.inverse_unit;
+    const double reach = part_.reach * (1 + 4 * kLargestDefect) * polygon.inverse_unit;
     const Place place{at.x(), at.y(), 2 * center.error * polygon.inverse_unit + 0x1p-48 * (at.lpNorm<1>() + 4)};
     if (polygon.fitsUnit())
       return findEdgeNear(hierarchyOf(polygon), place, reach, {&context, isBesideGap, reach, -1}).hit;

@@ -191,7 +191,7 @@ TEST_P(CoversOracle, AgreesWithExactRationals) {
   if (cases < 100) return;
   EXPECT_GE(covered, kRareKind * cases);
   EXPECT_GE(cases - covered, kRareKind * cases);
-  EXPECT_GT(unions, cases / 50);
+  EXPECT_GT(unions, cases / 100);
   EXPECT_LE(refused, (wide + narrow) / 20);
 }
 

@@ -55,7 +55,7 @@ MUTATIONS = [
     ("src/penetration/translation_search.cpp", "return unchanged >= radius;", "return !outcome.collides || unchanged >= radius;", "penetration: a cell whose centre is free is done with"),
     ("src/penetration/translation_space.cpp", "inner.radius[k] * side.scale * (1 - kLargestDefect)", "inner.radius[k] * side.scale * side.scale * (1 - kLargestDefect)", "penetration: discs in their polygon's units"),
     ("src/penetration/penetration.cpp", "p.lower_bound = std::max(p.lower_bound + margin, 0.0);", "p.lower_bound = p.depth;", "penetration: with a margin the depth is the bound"),
-    ("src/contact/crossings.h", "bordersBothUntil(met_[operand][edge], 1)", "bordersBoth()", "contacts: a spike has the interior that its edge borders elsewhere"),
+    ("src/contact/crossings.h", "bordersBothUntil(met_[operand][edge], 1)", "hasSought()", "contacts: a spike has the interior that its edge borders elsewhere"),
     ("src/contact/component_contacts.cpp", "polygonOf(pair_, side).edgeName(static_cast<std::size_t>(edge));", "static_cast<std::ptrdiff_t>(polygonOf(pair_, side).edgeNumber(static_cast<std::size_t>(edge)));", "contacts name edges without length"),
     ("src/contact/prepare.cpp", "detail::regionSidesOf(data);", "", "prepare() leaves to a later query what it is for"),
     ("src/penetration/penetration.cpp", "if (off(beside) <= on) return beside;", "", "convex penetration: a corner beside a face that goes on nearly straight"),
