@@ -276,13 +276,14 @@ bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
                      [&](const Piece& piece) { return isWithin(piece, edge, margin); });
 }
 
-/// Points err by 5U of the pair's size, with which they are mapped; places between them, and the nearest ones, by few U
-/// of it more.
+/// The edge as a whole is nearer. Points err by 5U of the pair's size, with which they are mapped; places between them,
+/// and the nearest ones, by few U of it more.
 ///
 /// Where that hides whether the distance is less than the margin, exact distances tell: of the ends of the edge from
 /// all of this one, where their feet are certainly on the piece, or beside it; of the piece's ends from the edge. An
 /// end at a cut is no nearer than the other edge there.
 bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) const {
+  if (piece.begin == kNone && piece.end == kNone) return true;
   const SeenPoint p = regions_.at(A, edge), q = regions_.at(A, edge + 1);
   const auto isNear = [&](const SeenPoint& end, const SeenPoint& v, const SeenPoint& w) {
     return withinExact(end.exact, v.exact, w.exact, margin, true);
@@ -298,14 +299,15 @@ bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) co
     const NearestPlaces nearest = nearestPlaces(other, {v + from * along, v + to * along});
     return (nearest.on_b - nearest.on_a).norm();
   };
-  if (first <= last && distanceOf(first, last) + error < margin) return true;
-  if (distanceOf(low, high) - error > margin) return false;
-  const double room = 0x1p-40 * (1 + size / along.norm());
   const auto refuseIf = [&](bool is_hidden) {
     if (is_hidden)
       refuse("margin", "rounding hides whether a boundary is nearer where edges of the areas cross",
              "change it by 1e-12 of the coordinates");
   };
+  refuseIf(!(size > 0x1p-400 && size < 0x1p400));  // squares leave the range of doubles
+  if (first <= last && distanceOf(first, last) + error < margin) return true;
+  if (distanceOf(low, high) - error > margin) return false;
+  const double room = 0x1p-40 * (1 + size / along.norm());
   for (const SeenPoint* end : {&p, &q}) {
     if (!isNear(*end, v_, w_)) continue;
     const double foot = (Vec2(end->approx.x, end->approx.y) - v).dot(along) / along.squaredNorm();

@@ -73,8 +73,8 @@ class EdgeSides {
   /// operand's edges, which meet it.
   bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
   /// Of an edge of an area, where what others don't hold is sought: whether some piece of it, beside which no area has
-  /// its inside on one side at least, is nearer than a margin to an edge of the first region. Throws
-  /// std::invalid_argument where rounding hides that.
+  /// its inside on one side at least, is nearer than a margin to an edge of the first region, as the edge as a whole
+  /// is. Throws std::invalid_argument where rounding hides that.
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }

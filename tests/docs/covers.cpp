@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/covers.h"
+
+#include <gtest/gtest.h>
+
+#include "tricover/scene.h"
+#include "tricover/segment.h"
+
+namespace {
+
+TEST(Documentation, Covers) {
+  //! [covers]
+  const tricover::Polygon lot = tricover::box(10, 6), car = tricover::box(4, 2);
+  const tricover::Pose here = tricover::Pose::Identity();
+  EXPECT_TRUE(tricover::covers(lot, here, car, tricover::pose(3, 2, 0)));  // in the corner, along both borders
+  EXPECT_FALSE(tricover::covers(lot, here, car, tricover::pose(3, 2, 0.01)));
+  EXPECT_TRUE(tricover::covers(lot, here, car, tricover::pose(2.5, 1.5, 0), {0.5}));  // half a metre to both borders
+  //! [covers]
+}
+
+TEST(Documentation, SceneCovers) {
+  //! [scene covers]
+  tricover::Scene lanes;
+  lanes.add(tricover::box(100, 3), tricover::pose(0, 0, 0));
+  lanes.add(tricover::box(60, 3), tricover::pose(20, 3, 0));  // beside it, from x = -10 on
+  const tricover::Polygon car = tricover::box(4, 2);
+  EXPECT_TRUE(lanes.covers(car, tricover::pose(5, 1.5, 0.3), {0.2}));  // it changes lanes
+  EXPECT_FALSE(lanes.covers(car, tricover::pose(-12, 1.5, 0.3)));
+  //! [scene covers]
+}
+
+}  // namespace

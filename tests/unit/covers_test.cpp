@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Containment by hand; tests/oracle/covers_oracle_test.cpp compares with rationals.
+#include "tricover/covers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "tricover/scene.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+const Pose kHere = Pose::Identity();
+
+Ring rectangle(double x_low, double y_low, double x_high, double y_high) {
+  return {{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}};
+}
+bool covers(const Polygon& area, const Polygon& part, double margin = 0) {
+  return tricover::covers(area, kHere, part, kHere, {margin});
+}
+bool together(const std::vector<Polygon>& areas, const Polygon& part, double margin = 0) {
+  Scene scene;
+  for (const Polygon& area : areas) scene.add(area, kHere);
+  return scene.covers(part, kHere, {margin});
+}
+
+TEST(Covers, PlugsHolesAndItself) {
+  const Polygon sheet({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)}), plug({rectangle(3, 3, 6, 6)});
+  EXPECT_TRUE(covers(sheet, sheet));
+  EXPECT_FALSE(covers(sheet, plug));
+  EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(0, 0, 9, 9)})));
+  EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(1, 1, 8, 8)}), 1));
+  EXPECT_FALSE(together({sheet, Polygon({rectangle(3, 3, 6, 6 - 1e-15)})}, Polygon({rectangle(0, 0, 9, 9)})));
+  // The part holds a ring of the area, a hole that meets none of the part's edges.
+  EXPECT_FALSE(covers(sheet, Polygon({rectangle(1, 1, 8, 8)})));
+  EXPECT_TRUE(covers(sheet, Polygon({rectangle(1, 1, 8, 8), rectangle(2, 2, 7, 7)})));
+  EXPECT_TRUE(covers(sheet, Polygon({rectangle(0, 0, 3, 3), rectangle(6, 3, 9, 9)})));
+}
+
+TEST(Covers, RingRoadHasAHole) {
+  // Four lanes around a yard: all of them are needed, and the yard is open.
+  const std::vector<Polygon> lanes{Polygon({rectangle(0, 0, 9, 3)}), Polygon({rectangle(6, 0, 9, 9)}),
+                                   Polygon({rectangle(0, 6, 9, 9)}), Polygon({rectangle(0, 0, 3, 9)})};
+  EXPECT_TRUE(together(lanes, Polygon({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)})));
+  EXPECT_FALSE(together(lanes, Polygon({rectangle(1, 1, 8, 8)})));
+  EXPECT_TRUE(together(lanes, Polygon({{{1, 1}, {3, 1}, {1, 3}}}), 1));
+  EXPECT_FALSE(together(lanes, Polygon({{{1, 1}, {3, 1}, {1, 3}}}), 1.0000001));
+}
+
+TEST(Covers, PartsWithoutAnInterior) {
+  const Polygon left({rectangle(0, 0, 4, 4)}), right({rectangle(4, 0, 8, 4)});
+  EXPECT_TRUE(covers(left, point({4, 4})));
+  EXPECT_FALSE(covers(left, point({4, 4.5})));
+  EXPECT_TRUE(covers(left, point({2, 2}), 2));
+  EXPECT_FALSE(covers(left, point({2, 2}), 2.5));
+  EXPECT_TRUE(covers(left, segment({0, 4}, {4, 4})));
+  EXPECT_FALSE(covers(left, segment({1, 1}, {5, 1})));
+  EXPECT_TRUE(together({left, right}, segment({1, 1}, {5, 1})));
+  EXPECT_TRUE(together({left, right}, segment({4, 1}, {4, 3}), 1));
+  // A spike out of the area, and what covers it without an interior.
+  const Polygon spiked({{{1, 1}, {3, 1}, {3, 3}, {3, 6}, {3, 3}, {1, 3}}});
+  EXPECT_FALSE(covers(left, spiked));
+  EXPECT_TRUE(together({left, segment({3, 2}, {3, 7})}, spiked));
+  EXPECT_TRUE(together({left, segment({3, 2}, {3, 5}), segment({3, 7}, {3, 5})}, spiked));
+  EXPECT_FALSE(together({left, segment({3, 2}, {3, 5}), segment({3, 7}, {3, 5.5})}, spiked));
+  EXPECT_FALSE(together({left, segment({3, 2}, {3, 7})}, spiked, 0.5));
+}
+
+TEST(Covers, AreasWithoutAnInterior) {
+  EXPECT_TRUE(covers(point({1, 2}), point({1, 2})));
+  EXPECT_FALSE(covers(point({1, 2}), point({1, 3})));
+  EXPECT_TRUE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {3, 3})));
+  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {5, 5})));
+  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {3, 3}), 0.1));
+  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), Polygon({{{0, 0}, {4, 4}, {4, 5}}})));
+  EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
+}
+
+TEST(Covers, Complements) {
+  const Polygon pillar({rectangle(0, 0, 2, 2)}), robot({rectangle(2, 0, 3, 1)}), inside({rectangle(0, 0, 1, 1)});
+  EXPECT_TRUE(covers(pillar.complement(), robot));
+  EXPECT_FALSE(covers(pillar.complement(), robot, 0.1));
+  EXPECT_FALSE(covers(pillar.complement(), inside));
+  EXPECT_TRUE(covers(inside.complement(), pillar.complement()));
+  EXPECT_FALSE(covers(pillar.complement(), inside.complement()));
+  EXPECT_FALSE(covers(pillar, pillar.complement()));
+  EXPECT_FALSE(together({pillar, inside}, robot.complement()));
+  EXPECT_TRUE(together({pillar, pillar.complement()}, robot.complement(), 5));
+}
+
+TEST(Covers, LargeAndSmall) {
+  for (const double size : {0x1p-990, 0x1p-30, 0x1p30, 0x1p990}) {
+    const Polygon area({rectangle(0, 0, 4 * size, 4 * size)}), part({rectangle(size, size, 3 * size, 3 * size)});
+    EXPECT_TRUE(covers(area, part)) << size;
+    EXPECT_TRUE(covers(area, area)) << size;
+    EXPECT_FALSE(covers(part, area)) << size;
+    EXPECT_TRUE(covers(area, part, size)) << size;
+    EXPECT_FALSE(covers(area, part, size * (1 + 1e-15))) << size;
+  }
+  EXPECT_TRUE(covers(Polygon({rectangle(-1e9, -1e9, 1e9, 1e9)}), Polygon({rectangle(-1e-9, 0, 1e-9, 1)}), 1e8));
+}
+
+TEST(Covers, RefusesWhatItCannotTell) {
+  const Polygon area({rectangle(0, 0, 4, 4)});
+  for (const double margin : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_THROW(covers(area, area, margin), std::invalid_argument);
+    EXPECT_THROW(together({area}, area, margin), std::invalid_argument);
+  }
+  Pose scaled = kHere;
+  scaled.linear() *= 2;
+  EXPECT_THROW(tricover::covers(area, scaled, area, kHere), std::invalid_argument);
+  EXPECT_THROW(tricover::covers(area, kHere, area, scaled), std::invalid_argument);
+  Scene scene;
+  EXPECT_THROW(scene.covers(area, scaled), std::invalid_argument);
+  BodyOptions wide;
+  wide.margin = 1;
+  const BodyHandle body = scene.add(area, kHere, wide);
+  EXPECT_THROW(scene.covers(area, kHere), std::invalid_argument);
+  EXPECT_FALSE(scene.covers(area, kHere, {}, BodyFilter::allBut(body)));
+  Pose far = kHere;
+  far.translation().x() = 100;
+  EXPECT_FALSE(scene.covers(area, far));
+}
+
+TEST(Covers, RingsThatOverlapAreOneArea) {
+  const Polygon cross({rectangle(0, 2, 6, 4), rectangle(2, 0, 4, 6)}, FillRule::NonZero);
+  EXPECT_TRUE(covers(cross, Polygon({rectangle(1, 2, 5, 4)})));
+  EXPECT_TRUE(covers(cross, Polygon({rectangle(2.5, 2.5, 3.5, 3.5)}), 0.5));
+  // The nearest boundaries are the corners (2, 2) and others, where edges cross.
+  EXPECT_TRUE(covers(cross, point({3, 3}), 1.4142));
+  EXPECT_FALSE(covers(cross, point({3, 3}), 1.4143));
+  EXPECT_FALSE(covers(Polygon({rectangle(0, 2, 6, 4), rectangle(2, 0, 4, 6)}), Polygon({rectangle(1, 2, 5, 4)})));
+}
+
+}  // namespace
+}  // namespace tricover::support
