@@ -6,7 +6,10 @@
 #include <limits>
 
 #include "random.h"
+#include "report.h"
 #include "shapes.h"
+#include "tricover/scene.h"
+#include "tricover/svg.h"
 
 namespace tricover::bench {
 namespace {
@@ -176,6 +179,18 @@ std::vector<Pose> placings(const Lifted& lifted, Placing placing, std::size_t co
     poses.push_back(pose);
   }
   return poses;
+}
+
+void drawLayout(const std::string& directory) {
+  const Lifted one = lifted(makeLayout(80, 5, 8, 7), 30);
+  const Scene scene = sceneOf(one.others);
+  SvgDrawing drawing(1500);
+  for (const Placed& placed : one.others) drawing.polygon(placed.polygon, placed.pose, "#f1f3f5");
+  const Polygon& part = one.part.polygon;
+  for (const Placing placing : {Placing::Uniform, Placing::Local, Placing::Free})
+    for (const Pose& pose : placings(one, placing, placing == Placing::Uniform ? 6 : 2, 9))
+      drawing.polygon(part, pose, scene.collides(part, pose) ? "#f8b4b4" : "#86d3a0");
+  writeFile(directory + "/layout.svg", drawing.str());
 }
 
 }  // namespace tricover::bench

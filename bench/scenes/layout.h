@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "placed.h"
@@ -35,5 +36,8 @@ std::vector<Lifted> liftedParts(const Placement& layout);
 /// Poses for it; that many in the studies.
 constexpr std::size_t kPlacings = 125;
 std::vector<Pose> placings(const Lifted& lifted, Placing placing, std::size_t count, std::uint64_t seed);
+
+/// Writes layout.svg: a part among the others, placed anew. Colours are the scene's answers.
+void drawLayout(const std::string& directory);
 
 }  // namespace tricover::bench

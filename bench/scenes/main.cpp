@@ -2,6 +2,7 @@
 // Scenes beside what people use for them: many against many, one against many, rays, conflicts of a fleet.
 #include <string>
 
+#include "layout.h"
 #include "report.h"
 #include "scene_studies.h"
 #include "tricover_fcl/tricover_fcl.h"
@@ -37,7 +38,7 @@ bool run(const std::string& directory, bool full) {
   tricover_fcl::registerNarrowphase();
   const Countries countries = readCountries();
   const Settings settings = full ? Settings{5, 0.1} : Settings{3, 0.01};
-  drawScenes(directory);
+  drawLayout(directory);
   return writeStudies(directory, "scenes",
                       {{"Frames", measureFrames(settings)},
                        {"Layouts", measureLayouts(settings)},

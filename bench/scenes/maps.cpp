@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "random.h"
+#include "tricover/segment.h"
 
 namespace tricover::bench {
 namespace {
@@ -61,10 +62,7 @@ Placement countriesMap(const Countries& countries, std::size_t obstacles) {
 
 Placement warehouseMap(std::size_t racks) {
   constexpr double kLength = 100, kDepth = 12, kAisle = 30;
-  const Polygon rack({{{-kLength / 2, -kDepth / 2},
-                       {kLength / 2, -kDepth / 2},
-                       {kLength / 2, kDepth / 2},
-                       {-kLength / 2, kDepth / 2}}});
+  const Polygon rack = box(kLength, kDepth);
   Random random(22);
   // Blocks are about as wide as they are high.
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(racks) / 4)));
@@ -86,18 +84,9 @@ std::vector<NamedMap> allMaps(const Countries& countries) {
 }
 
 Polygon forkLift() {
-  return Polygon({{{-10, -5},
-                   {-8, -6},
-                   {2, -6},
-                   {2, -4},
-                   {14, -4},
-                   {14, -2},
-                   {2, -2},
-                   {2, 2},
-                   {14, 2},
-                   {14, 4},
-                   {2, 6},
-                   {-10, 5}}});
+  Ring ring = {{-10, -5}, {-8, -6}, {2, -6}, {2, -4}, {14, -4}, {14, -2}};
+  ring.insert(ring.end(), {{2, -2}, {2, 2}, {14, 2}, {14, 4}, {2, 6}, {-10, 5}});
+  return Polygon({ring});
 }
 
 std::vector<Pose> randomPoses(const Placement& map, std::size_t count, std::uint64_t seed) {

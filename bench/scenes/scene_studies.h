@@ -6,7 +6,7 @@
 #include "inputs.h"
 #include "measure.h"
 
-/// Studies and pictures of many bodies at once.
+/// Studies of many bodies at once.
 namespace tricover::bench {
 
 /// A part in a tight layout of 80, by its number of vertices and by how it is placed. Each of eight parts in turn is
@@ -30,8 +30,5 @@ std::vector<Result> measureFrames(const Settings& settings);
 
 /// The cost of a frame of 1,000 to 100,000 outlines for each moving body, with one thread and with two.
 std::vector<Result> measureCrowds();
-
-/// Writes layout.svg: a part among the others, placed anew. Colours are the scene's answers.
-void drawScenes(const std::string& directory);
 
 }  // namespace tricover::bench
