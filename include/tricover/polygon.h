@@ -139,8 +139,9 @@ class TRICOVER_EXPORT Polygon {
   ///
   /// Legal in all queries but penetration() and ContactDetail::GlobalDepth, which throw std::invalid_argument. Two
   /// complements always collide. A complement isn't convex. Its area(), bounds() and radius() are infinite, and its
-  /// centroid() is the middle of its rings' box. It stays one when it is translated(), transformed(), scaled() or
-  /// simplified() (not outwards), and complement() of it is the closure of the region's inside.
+  /// centroid() is the middle of its rings' box. Where a precision depends on a polygon's size or points, these are its
+  /// rings'. It stays one when it is translated(), transformed(), scaled() or simplified() (not outwards), and
+  /// complement() of it is the closure of the region's inside. In a Scene, it is near every other body.
   ///
   /// Throws std::invalid_argument for a polygon that has no area; and under FillRule::NonZero, naming ring and vertex,
   /// where an edge is inside of the region beyond a crossing that is no vertex: doubles do not hold that point. Takes

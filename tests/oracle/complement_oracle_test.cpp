@@ -23,6 +23,7 @@
 #include "test_scale.h"
 #include "touching_families.h"
 #include "touching_laws.h"
+#include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
 #include "tricover/ray.h"
@@ -274,6 +275,41 @@ TEST(Complement, IsReachedByMotionsNoSoonerAndNoLater) {
   std::printf("%d impacts, %d at the start, %d none\n", impacts, starts, none);
   if (isScaledDown()) return;
   EXPECT_GE(std::min({impacts, 5 * starts, none}), cases / 10);
+}
+
+/// A body that reaches out of a lane on one side: the contacts' points are on both, and the deepest contact tells how
+/// far it must go back.
+TEST(Complement, HasLocalDepthsThatLeadBack) {
+  int out = 0, several = 0;
+  const int cases = scaledCount(1000);
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 9000);
+    const double turn = random.oneIn(3) ? 0 : random.real(0, 6.3), x = random.real(-20, 20);
+    const Pose frame = pose(turn, random.real(-9, 9), 0);
+    const Polygon outside = Polygon({rectangle(-30, -2, 30, 2)}).complement();
+    const Polygon body({random.coin() ? star(random, random.integer(3, 30), 0.3, 1) : rectangle(-1, -0.5, 1, 0.5)});
+    const Pose in_lane = pose(random.real(0, 6.3), x, random.real(0.5, 2));
+    double excess = -2;
+    for (const Vec2& v : body.rings()[0]) excess = std::max(excess, (in_lane * v).y() - 2);
+    const std::vector<Contact> found =
+        contacts(outside, frame, body, frame * in_lane, {0, 99, ContactDetail::LocalDepth});
+    if (std::abs(excess) < 1e-12) continue;
+    ASSERT_EQ(found.empty(), excess < 0) << i;
+    if (found.empty()) continue;
+    ++out;
+    several += found.size() > 1;
+    ASSERT_NEAR(found[0].depth, excess, 1e-11) << i;
+    for (const Contact& contact : found) {
+      ASSERT_NEAR((contact.normal - frame.linear() * Vec2(0, -1)).norm(), 0, 1e-9) << i;
+      const Polygon point({Ring(3, contact.point)});
+      const Pose here = Pose::Identity();
+      ASSERT_LT(distance(outside, frame, point, here).distance, 1e-12) << i;
+      ASSERT_LT(distance(body, frame * in_lane, point, here).distance, 1e-12) << i;
+    }
+  }
+  std::printf("%d reach out, %d at several places\n", out, several);
+  if (isScaledDown()) return;
+  EXPECT_GE(std::min(out, 4 * several), cases / 8);
 }
 
 /// Points of a lattice of quarters around the polygons: a point of the complement is one where points outside are as

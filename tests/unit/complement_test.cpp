@@ -258,6 +258,16 @@ TEST(Complement, IsABodyOfAScene) {
   EXPECT_EQ(scene.colliding(box(100, 100).complement(), kHere), (std::vector<BodyHandle>{zone, stranger}));
 }
 
+TEST(Complement, IsDrawnUpToAFrame) {
+  SvgDrawing drawing;
+  drawing.polygon(lane().complement(), kHere, "gray", "black", 0.5);
+  drawing.boxes(lane().complement(), kHere, 0, "red");
+  const std::string text = drawing.str();
+  EXPECT_NE(text.find("evenodd"), std::string::npos);
+  EXPECT_EQ(text.find("inf"), std::string::npos);
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
 TEST(Complement, OfAMapIsWhereARobotMayGo) {
   // Rooms with pillars; what is occupied is the region, so that its complement's complement is the free space.
   OccupancyGrid grid;
