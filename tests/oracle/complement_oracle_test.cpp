@@ -144,6 +144,9 @@ std::string wrongRay(Random& random, const Polygon& polygon, const Pose& pose) {
   for (int i = 0; i < 4; ++i) {
     const Ray ray = anyRay(random, polygon, pose);
     if (!ray.from.allFinite() || !ray.to.allFinite()) continue;
+    const std::string wrong_intervals = wrongIntervals(polygon, pose, ray, castRayAll(polygon, pose, ray.from, ray.to),
+                                                       exact::castRayAll(polygon, pose, ray.from, ray.to));
+    if (!wrong_intervals.empty()) return "all of a ray: " + wrong_intervals;
     const auto truth = exact::castRay(polygon, pose, ray.from, ray.to);
     const auto hit = castRay(polygon, pose, ray.from, ray.to);
     if (hit.has_value() != truth.has_value()) return "whether a ray hits";

@@ -222,6 +222,13 @@ TEST(Complement, StopsRays) {
   EXPECT_EQ(castRay(outside, kHere, {1e9, 2}, {1e9, 3})->fraction, 0) << "far from every edge";
   EXPECT_EQ(castRay(outside, kHere, {30, 2}, {10, 2})->edge, -1);
   EXPECT_NEAR(castRay(outside, kHere, {10, 2}, {30, 2}, {1})->fraction, 0.45, 1e-12);
+  const std::vector<RayInterval> both = castRayAll(outside, kHere, {-10, 2}, {30, 2});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].end.fraction, 0.25);
+  EXPECT_EQ(both[1].begin.edge, 1);
+  EXPECT_EQ(both[1].end.fraction, 1);
+  EXPECT_EQ(castRayAll(outside, kHere, {1e9, 2}, {1e9, 3}).size(), 1u);
+  EXPECT_EQ(castRayAll(outside, kHere, {-10, 2}, {30, 2}, {1}).size(), 2u);
 }
 
 TEST(Complement, IsABodyOfAScene) {
