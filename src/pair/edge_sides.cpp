@@ -81,6 +81,17 @@ Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
 
 }  // namespace
 
+bool PosedRegions::isNear(std::size_t i, const SeenPoint& v, const SeenPoint& w) const {
+  if (pairs_.size() == 1) return true;
+  const PolygonData& region = polygon(i);
+  const ApproxPoint center = approx(i, region.origin), &p = v.approx, &q = w.approx;
+  const double reach = region.reach * (1 + 4 * kLargestDefect) + 2 * (center.error + std::max(p.error, q.error));
+  const auto isBeyond = [&](double x, double from, double to) {
+    return std::max(std::min(from, to) - x, x - std::max(from, to)) > reach * (1 + 8 * kUnitRoundoff);
+  };
+  return !isBeyond(center.x, p.x, q.x) && !isBeyond(center.y, p.y, q.y);
+}
+
 /// Wrong as the pair's points are, which this one may be beyond.
 ApproxPoint PosedRegions::approx(std::size_t i, const Vec2& p) const {
   const PosedPair& pair = pairs_[i == 0 ? 0 : i - 1];
@@ -100,12 +111,12 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size
   if (path[edge] == path[edge + 1]) return;
   v_ = regions.at(operand, edge);
   w_ = regions.at(operand, edge + 1);
-  windings_.resize(regions.size());
-  for (std::size_t i = 0; i < regions.size(); ++i) findCuts(i, before);
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (i == operand || regions.isNear(i, v_, w_)) findCuts(i, before);
   std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
   look(kNone, cuts_.empty() ? kNone : 0);
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
-    windings_[cuts_[i].operand].add(cuts_[i]);
+    windings_[static_cast<std::size_t>(windingsOf(cuts_[i].operand) - windings_.data())].add(cuts_[i]);
     // Between cuts at one place there is nothing.
     const bool is_last = i + 1 == cuts_.size();
     if (is_last || isBefore(cuts_[i], cuts_[i + 1])) look(i, is_last ? kNone : i + 1);
@@ -120,11 +131,11 @@ void EdgeSides::findCuts(std::size_t operand, const EdgeSides* before) {
   Way way;
   if (before != nullptr) {
     way.from = before->v_;
-    way.winding = before->windings_[operand].right;
+    if (const Windings* known = before->windingsOf(operand)) way.winding = known->right;
   } else {
     leadFromOutside(way, operand, at_v, 1.5 * v.error * polygon.inverse_unit);
   }
-  windings_[operand] = {way.winding, way.winding};
+  windings_.push_back({operand, way.winding, way.winding});
   forEachEdgeBetween(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit,
                      [&](std::size_t edge) { add(operand, edge, way); });
 }
@@ -162,15 +173,15 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
   if (of_q == 0 && of_r == 0) {
     if (operand != operand_ && operand_ == A && regions_.sought() == PosedRegions::Outside) addAlong(operand, q, r);
     if (!isBetween(v_, q, r)) return;
-    if (!isSame(v_, q)) pass(operand, way, q, 0, -1);
-    if (!isSame(v_, r)) pass(operand, way, r, 0, 1);
+    if (!isSame(v_, q)) pass(way, q, 0, -1);
+    if (!isSame(v_, r)) pass(way, r, 0, 1);
     return;
   }
   const int slant = of_r > of_q ? 1 : -1, at_v = sign(q, r, v_) * slant;
   if (at_v < 0) return;
   if (at_v == 0) {
-    if (of_q != 0) pass(operand, way, q, of_q, -1);
-    if (of_r != 0) pass(operand, way, r, of_r, 1);
+    if (of_q != 0) pass(way, q, of_q, -1);
+    if (of_r != 0) pass(way, r, of_r, 1);
     return;
   }
   if (sign(q, r, w_) * slant >= 0) return;
@@ -198,7 +209,7 @@ void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoin
   const SeenPoint &begin = direction > 0 ? q : r, &end = direction > 0 ? r : q;
   if (direction == 0 || compareAlong(v_, end) <= 0 || compareAlong(begin, w_) <= 0) return;
   if (compareAlong(v_, begin) <= 0)
-    ++windings_[operand].along;
+    ++windings_.back().along;
   else
     cuts_.push_back({begin.exact.pose, {begin.exact.local, begin.exact.local}, operand, 0, false, false, 1});
   if (compareAlong(end, w_) > 0)
@@ -214,8 +225,8 @@ int EdgeSides::compareAlong(const SeenPoint& p, const SeenPoint& q) const {
 
 /// An edge leaves v for `end` (turn 1), or comes from there (-1), which is on that side of v w: counter-clockwise
 /// around v it may be passed before v w, or be along that.
-void EdgeSides::pass(std::size_t operand, Way& way, const SeenPoint& end, int side, int turn) {
-  Windings& beside = windings_[operand];
+void EdgeSides::pass(Way& way, const SeenPoint& end, int side, int turn) {
+  Windings& beside = windings_.back();
   if (way.course == kUncertain) {
     way.course = sign(v_, way.from, w_);
     way.leads_back = way.course == 0 && !isBetween(v_, way.from, w_);
@@ -245,23 +256,31 @@ bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   return compareFractionsExact(edge, p.edge(), q.edge()) < 0;
 }
 
-EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
+const EdgeSides::Windings* EdgeSides::windingsOf(std::size_t operand) const {
+  const auto found = std::lower_bound(windings_.begin(), windings_.end(), operand,
+                                      [](const Windings& of, std::size_t i) { return of.operand < i; });
+  return found != windings_.end() && found->operand == operand ? &*found : nullptr;
+}
+
+EdgeSides::Sides EdgeSides::insides(std::size_t operand, const Windings* windings) const {
   const Fill& fill = regions_.polygon(operand).fill;
-  return {isInside(fill, windings_[operand].left), isInside(fill, windings_[operand].right)};
+  return {isInside(fill, windings != nullptr ? windings->left : 0),
+          isInside(fill, windings != nullptr ? windings->right : 0)};
 }
 
 /// At the current piece.
 void EdgeSides::look(std::size_t begin, std::size_t end) {
-  const Sides first = insides(A);
+  const Sides first = insides(A, windingsOf(A));
   Sides others{false, false};
   bool has_along = false;
-  for (std::size_t i = 1; i < regions_.size(); ++i) {
-    const Sides other = insides(i);
+  for (const Windings& windings : windings_) {
+    if (windings.operand == A) continue;
+    const Sides other = insides(windings.operand, &windings);
     others.left |= other.left;
     others.right |= other.right;
-    has_along |= windings_[i].along > 0;
+    has_along |= windings.along > 0;
   }
-  const Sides own = insides(operand_), other = operand_ == A ? others : first;
+  const Sides own = insides(operand_, windingsOf(operand_)), other = operand_ == A ? others : first;
   const bool is_bare = !own.left && !own.right, inside = regions_.sought() == PosedRegions::Inside;
   const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
   if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)

@@ -38,6 +38,8 @@ class PosedRegions {
     const Vec2& p = polygon(i).path[position];
     return {i == 0 ? pairs_[0].fromA(p) : pairs_[i - 1].fromB(p), {&pose(i), p}};
   }
+  /// Whether a region may be as near to a segment as its disc is; a pair's always.
+  bool isNear(std::size_t i, const SeenPoint& v, const SeenPoint& w) const;
   /// Any point of a polygon's frame.
   ApproxPoint approx(std::size_t i, const Vec2& p) const;
   /// A vertex of `of` in the frame of i.
@@ -100,6 +102,7 @@ class EdgeSides {
       if (cut.on_right) right += cut.turn;
       along += cut.along;
     }
+    std::size_t operand;
     int left = 0, right = 0;
     int along = 0;  ///< edges of other operands along the line: counted where that matters
   };
@@ -123,18 +126,19 @@ class EdgeSides {
   void leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const;
   void add(std::size_t operand, std::size_t edge, Way& way);
   void addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r);
-  void pass(std::size_t operand, Way& way, const SeenPoint& end, int side, int turn);
+  void pass(Way& way, const SeenPoint& end, int side, int turn);
   int compareAlong(const SeenPoint& p, const SeenPoint& q) const;
   bool isBefore(const Cut& p, const Cut& q) const;
   bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
-  Sides insides(std::size_t operand) const;
+  const Windings* windingsOf(std::size_t operand) const;  ///< null where nothing of it is near
+  Sides insides(std::size_t operand, const Windings* windings) const;
   bool isWithin(const Piece& piece, std::size_t edge, double margin) const;
   void look(std::size_t begin, std::size_t end);
 
   const PosedRegions& regions_;
   const std::size_t operand_, edge_;
   SeenPoint v_, w_;
-  std::vector<Windings> windings_;  ///< by operand, beside the current piece, at last at w
+  std::vector<Windings> windings_;  ///< of operands that are near, beside the current piece, at last at w
   std::vector<Cut> cuts_;           ///< between v and w, in order
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::vector<Piece> sought_;    ///< pieces that are what is sought, or beside it on one side
