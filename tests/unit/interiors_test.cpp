@@ -10,6 +10,8 @@
 #include "numbers/predicates.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/covers.h"
+#include "tricover/scene.h"
 
 namespace tricover {
 namespace {
@@ -76,6 +78,23 @@ TEST(InteriorsOfSharedEdges, CheckerboardsGrowWithTheirEdges) {
     calls[i] = exactCallsOf([&] { EXPECT_FALSE(collide(a, kHere, b, kHere, kOpen)); });
   }
   EXPECT_LE(calls[1], 1.5 * 16 * calls[0]);
+}
+
+TEST(InteriorsOfSharedEdges, CoversGrowsWithItsEdges) {
+  double calls[2];
+  for (int i = 0; i < 2; ++i) {
+    const int teeth = i == 0 ? 32 : 256;
+    const Polygon a({comb(teeth)}), b({combInGaps(teeth)});
+    calls[i] = exactCallsOf([&] {
+      Scene scene;
+      scene.add(a, kHere);
+      scene.add(b, kHere);
+      EXPECT_TRUE(scene.covers(Polygon({{{1, 0}, {2.0 * teeth, 0}, {2.0 * teeth, 3}, {1, 3}}}), kHere));
+      EXPECT_TRUE(covers(a, kHere, a, kHere));
+      EXPECT_FALSE(covers(a, kHere, b, kHere));
+    });
+  }
+  EXPECT_LE(calls[1], 10 * calls[0]);
 }
 
 TEST(InteriorsOfSharedEdges, BarAcrossACombAsksNoSides) {

@@ -13,7 +13,6 @@ MUTATIONS = [
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBareInside();", "", "interiors: edges without area lead there"),
     ("src/pair/interiors.cpp", "if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;", "", "interiors: of points"),
     ("src/pair/edge_sides.cpp", "!others.left && !others.right && !has_along;", "!others.left && !others.right;", "covers: areas without an interior cover nothing"),
-    ("src/pair/edge_sides.cpp", "if (cuts_[cut].operand == A) return true;", "", "covers: the part's own edges cut the boundary"),
     ("src/pair/edge_sides.cpp", "if (!inside && operand_ != A && !(others.left && others.right))", "if (!inside && operand_ != A)", "covers: seams are boundaries"),
     ("src/pair/covers.cpp", "if (part_.isDegenerate()) return true;", "return true;", "covers: holes inside of the part"),
     ("src/pair/covers.cpp", "if (beginsPoint(part_, begin) && !isOnSome(part_.path[begin])) return false;", "", "covers: points"),
