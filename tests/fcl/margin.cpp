@@ -233,7 +233,7 @@ TEST(Margin, badLengthsAreRefusedByName) {
   const auto refusal = [](const PolygonOptions& options) {
     return thrownBy<std::invalid_argument>([&] { PolygonShapef(kSquare, options); });
   };
-  for (const double bad : {-1e-300, nan, infinity}) {
+  for (const double bad : {-infinity, nan, infinity}) {
     EXPECT_NE(refusal({bad, 0, 0}).find("margin"), std::string::npos);
     // A shape's margin doesn't make good for it.
     const Shape<double> a = withMargin(kSquare, 1);

@@ -14,9 +14,11 @@ namespace tricover_fcl {
 
 /// Describes a shape besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
 struct PolygonOptions {
-  /// Safety distance >= 0 in the plane: two shapes collide if and only if their heights overlap and their polygons come
-  /// as close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the
-  /// polygons grown by their margins.
+  /// Safety distance in the plane: two shapes collide if and only if their heights overlap and their polygons come as
+  /// close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the polygons
+  /// grown by their margins. A negative sum -e is an overlap that is allowed: shapes collide if some component of the
+  /// overlap is as deep as e, as CollideOptions::margin says, in collisions and continuous collisions. A distance with
+  /// a negative sum is refused.
   double margin = 0;
   /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
   /// that turns the shape upside down turns the interval, too.
@@ -74,6 +76,11 @@ class TRICOVER_EXPORT HullPlace {
 /// - aabb_radius is the largest vertex distance from there, widened by the rigidity that poses may miss.
 /// - aabb_local is padded by what FCL drops when it takes a tiny rotation for the identity.
 ///
+/// The shape of a complement (tricover::Polygon::complement()) has no end: its boxes reach as far as FCL's managers can
+/// bear, 1e153 or, for float, 2e18. It is asked beside other polygons, spheres, cylinders and capsules; beside other
+/// geometries it is refused. Its contacts are those of the components, also where one is asked for, and a signed
+/// distance of what overlaps it is refused.
+///
 /// Volume and moments stay FCL's default, 0: a flat shape has none.
 ///
 /// \snippet fcl.cpp shape
@@ -81,7 +88,7 @@ template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
   /// Makes a shape from a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that
-  /// isn't finite (except that of atAllHeights()) or runs downwards, and a margin that is negative or not finite.
+  /// isn't finite (except that of atAllHeights()) or runs downwards, and a margin that is not finite.
   /// Throws std::logic_error if the caller was compiled with another FCL than tricover, or with another alignment of
   /// Eigen's types (-march=native): nothing would work safely.
   /// The last argument is there for its default, which the caller's own code evaluates. The default sees FCL as the

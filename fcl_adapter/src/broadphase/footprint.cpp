@@ -37,7 +37,7 @@ Footprint footprintOfPolygon(const PolygonShape<S>& shape, const fcl::Transform3
   // polygon's points up and down.
   const double aside = r.topRightCorner<2, 1>().lpNorm<1>();
   Footprint print = kAnywhere;
-  print.region.emplace(&shape.polygon(), pose.pose, options.margin);
+  print.region.emplace(&shape.polygon(), pose.pose, std::max(options.margin, 0.0));
   if (aside > 0) print.region->margin += 2 * aside * reach;
   if (!std::isfinite(print.region->margin)) print.region.reset();
   if (!shape.isAtAllHeights()) {

@@ -58,10 +58,7 @@ Mover movingPolygon(Region& region, const PolygonShape<S>& shape, const fcl::Mot
   region.polygon = &shape.polygon();
   region.heights = heightsOf(shape.options(), begin);
   if (!in_plane) {
-    const auto corner = [](const fcl::Vector3<S>& at) {
-      return tricover::Vec2(at.template head<2>().template cast<double>());
-    };
-    const Eigen::AlignedBox2d box(corner(shape.aabb_local.min_), corner(shape.aabb_local.max_));
+    const Eigen::AlignedBox2d box = grown(boundsOf(shape.polygon()), std::max(shape.options().margin, 0.0));
     Mover mover{ownCourse(motion, box, plane, Plane::Identity(), name), {}};
     if (mover.course.known) mover.end = mover.course.known->at(1);
     return mover;

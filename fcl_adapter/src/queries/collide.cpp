@@ -26,8 +26,8 @@ std::optional<bool> decidedByDiscs(const PolygonShape<S>& a, const fcl::Transfor
   const Double2 way = column(tf2, 3) - column(tf1, 3);
   const double apart = tricover::detail::dot(way, way), margin = more + (a.options().margin + b.options().margin),
                reach = static_cast<double>(a.aabb_radius) + static_cast<double>(b.aabb_radius);
-  const bool is_free = apart > square(reach + more) * (1 + kSquares) + kUnderflow;
-  const bool is_hit = a.isDisc() && b.isDisc() && apart < square(margin) * (1 - kSquares) - kUnderflow;
+  const bool is_free = apart > square(reach + more) * (1 + kSquares) + kUnderflow && reach < kEverywhere<S>;
+  const bool is_hit = margin > 0 && a.isDisc() && b.isDisc() && apart < square(margin) * (1 - kSquares) - kUnderflow;
   if (!is_free && !is_hit) return std::nullopt;
   const auto defectOf = [&](const fcl::Transform3<S>& tf) {
     return tricover::detail::Gram(column(tf, 0), column(tf, 1)).defect();

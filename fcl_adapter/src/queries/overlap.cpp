@@ -79,11 +79,21 @@ std::optional<Penetration> penetrationOf(const PlanarPair& pair) {
   return found;
 }
 
-/// Each component with a depth and a normal of its own: what a step of a simulation needs.
+/// Each component with a depth and a normal of its own: what a step of a simulation needs. An overlap that a negative
+/// margin allows is none, and is no part of a depth.
 std::vector<tricover::Contact> componentsOf(const PlanarPair& pair, std::size_t most) {
-  return tricover::contacts(*pair.a.polygon, pair.a.pose, *pair.b.polygon, pair.b.pose,
-                            {pair.margin, most, tricover::ContactDetail::LocalDepth});
+  auto found = tricover::contacts(*pair.a.polygon, pair.a.pose, *pair.b.polygon, pair.b.pose,
+                                  {std::max(pair.margin, 0.0), most, tricover::ContactDetail::LocalDepth});
+  if (pair.margin >= 0) return found;
+  while (found.size() > 1 && found.back().depth < -pair.margin) found.pop_back();  // the deepest are first
+  for (tricover::Contact& contact : found) {
+    contact.depth = std::max(contact.depth + pair.margin, 0.0);
+    for (tricover::ContactPoint& point : contact.points) point.depth = std::max(point.depth + pair.margin, 0.0);
+  }
+  return found;
 }
+
+bool isUnbounded(const PlanarPair& pair) { return pair.a.polygon->isComplement() || pair.b.polygon->isComplement(); }
 
 /// Whether regions that share a point overlap by more than `error`, or, grown by a margin, by 1e-13 of that. Exact
 /// where error and margin are 0: whether interiors meet or, of a region without one, whether its depth isn't 0.
@@ -91,7 +101,7 @@ bool overlap(const PlanarPair& pair, double error) {
   const tricover::Polygon &a = *pair.a.polygon, &b = *pair.b.polygon;
   const double less = pair.margin * (1 - 1e-13) - error;
   if (less > 0) return tricover::collide(a, pair.a.pose, b, pair.b.pose, {less});
-  if (error > 0) {
+  if (error > 0 || isUnbounded(pair)) {
     const auto deepest = componentsOf(pair, 1);
     return !deepest.empty() && deepest.front().depth > error;
   }
@@ -142,7 +152,7 @@ std::optional<DistanceResult> PlanarPair::distanceWithin(double limit, tricover:
 
 std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::size_t most) {
   std::vector<PlanarContact> shared;
-  if (as_one) {
+  if (as_one && pair.margin >= 0 && !isUnbounded(pair)) {
     if (const auto whole = penetrationOf(pair)) {
       const OutlinePoints points(pair, *whole);
       return {{middle(points.on_a, points.on_b), whole->normal, whole->depth, whole->edge_a, whole->edge_b}};

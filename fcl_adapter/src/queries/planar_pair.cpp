@@ -140,6 +140,9 @@ template <typename S>
 bool placeShadow(PlanarPair& pair, const MixedGeometries<S>& both, bool at_all_heights, bool only_near, double around) {
   placeInOwnFrame(pair, both);
   const Region& polygon = pair.of(both.polygon_first);
+  if (polygon.polygon->isComplement())
+    refuseQuestion("polygon", "a complement is asked beside polygons, spheres, cylinders and capsules alone",
+                   "make the other geometry a PolygonShape");
   pair.margin = both.more + polygon.margin;
   pair.place_a = pair.place_b = nullptr;
   const Slab slab = at_all_heights ? Slab{-kInfinity, kInfinity} : polygon.heights.of_shape;

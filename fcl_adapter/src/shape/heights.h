@@ -10,6 +10,10 @@
 
 namespace tricover_fcl {
 
+/// How far the box around a complement reaches, which has no end: FCL's trees square and add widths.
+template <typename S>
+constexpr S kEverywhere = S(sizeof(S) == sizeof(float) ? 0x1p61 : 0x1p509);
+
 /// The heights between which a shape reaches, in a frame. A flat polygon has {0, 0} in its own, one at all heights
 /// {-infinity, infinity}.
 struct Slab {

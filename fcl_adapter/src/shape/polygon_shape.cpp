@@ -11,6 +11,7 @@
 
 #include "shape/convex_hull.h"
 #include "shape/errors.h"
+#include "shape/heights.h"
 #include "shape/planar_pose.h"
 #include "tricover/pose.h"
 
@@ -108,7 +109,7 @@ PolygonShape<S>::PolygonShape(const tricover::Polygon& polygon, const PolygonOpt
     check(std::isfinite(options.z_low), "z_low", "finite");
     check(std::isfinite(options.z_high) && options.z_high >= options.z_low, "z_high", "finite and not below z_low");
   }
-  check(std::isfinite(options.margin) && options.margin >= 0, "margin", "finite and not negative");
+  check(std::isfinite(options.margin), "margin", "finite");
 
   const Extremes of_polygon(polygon);
   const auto& [low, high, reach] = of_polygon;
@@ -117,7 +118,7 @@ PolygonShape<S>::PolygonShape(const tricover::Polygon& polygon, const PolygonOpt
   // CollisionObject::computeAABB leaves out a rotation within dummy_precision of the identity, entry by entry: a vertex
   // may be off by that times |x| + |y| <= sqrt(2) reach, within the plane; heights are taken without it.
   const double pad = 2 * static_cast<double>(Eigen::NumTraits<S>::dummy_precision()) * reach;
-  const double margin = options.margin * (1 + 0x1p-50);  // pays for rounding where two margins are added
+  const double margin = std::max(options.margin, 0.0) * (1 + 0x1p-50);  // pays for rounding where two margins are added
   const double grown = pad + margin;
   // |R|_2 <= 1 + 1.5 kRigidTolerance if no entry of R^T R - I exceeds it; the rest pays for rounding.
   constexpr double stretch = 1 + 2 * tricover::kRigidTolerance;
@@ -128,10 +129,16 @@ PolygonShape<S>::PolygonShape(const tricover::Polygon& polygon, const PolygonOpt
   this->aabb_center.setZero();
   this->aabb_radius =
       roundUp<S>(std::hypot(planar, isAtAllHeights() ? 0 : stretch * std::max(std::abs(z_low), std::abs(z_high))));
+  if (!polygon.isComplement()) return;
+  this->aabb_radius = kEverywhere<S>;
+  this->aabb_local.min_.template head<2>().setConstant(-kEverywhere<S>);
+  this->aabb_local.max_.template head<2>().setConstant(kEverywhere<S>);
 }
 
 template <typename S>
 fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
+  if (polygon_.isComplement())
+    return {fcl::Vector3<S>::Constant(-kEverywhere<S>), fcl::Vector3<S>::Constant(kEverywhere<S>)};
   const tricover::Ring& corners = hull_.cornersOf(polygon_);
   // Along all axes at once; the fourth is nothing.
   const Eigen::Matrix4d m = pose.matrix().template cast<double>();
@@ -162,7 +169,7 @@ fcl::AABB<S> PolygonShape<S>::boxAt(const fcl::Transform3<S>& pose) const {
   // by 5 U reach; the product with z by 2 U reach; four more sums by U (3 reach + |t|) each. In all less than
   // 2^-47 reach + 2^-48 |t|, and of products that underflow 2^-1075 each.
   const Eigen::Array4d pad =
-      margin * (options_.margin * (1 + 0x1p-49)) + 0x1p-47 * reach + 0x1p-48 * t.abs() + 0x1p-1072;
+      margin * (std::max(options_.margin, 0.0) * (1 + 0x1p-49)) + 0x1p-47 * reach + 0x1p-48 * t.abs() + 0x1p-1072;
   fcl::AABB<S> box;
   for (int axis = 0; axis < 3; ++axis) {
     const bool known = std::isfinite(pad[axis]) && low[axis] <= high[axis];

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ struct Region {
 };
 
 inline Eigen::AlignedBox2d boxOf(const Region& region) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (region.polygon->isComplement())
+    return {tricover::Vec2(-kInfinity, -kInfinity), tricover::Vec2(kInfinity, kInfinity)};
   return grown(boundsOf(*region.polygon, region.pose), region.margin);
 }
 
