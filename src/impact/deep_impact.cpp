@@ -106,7 +106,7 @@ class DeepImpact {
  private:
   std::vector<Contact> overlapNow() const {
     const Pose pose_a = pair_.motion_a_.at(time_), pose_b = pair_.motion_b_.at(time_);
-    return allowedOverlap(pair_.a_, pose_a, pair_.b_, pose_b, allowed_);
+    return allowedOverlap(pair_.a_, pose_a, pair_.b_, pose_b, allowed_ - 2 * pair_.precision());
   }
 
   void touchAll(const std::vector<Contact>& overlap) {

@@ -10,6 +10,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "soak.h"
+#include "tricover/collide.h"
 #include "tricover/penetration.h"
 #include "tricover/time_of_impact.h"
 
@@ -71,6 +72,7 @@ Case at(const Flight& f, double time) {
 /// Whether they are within the margin at this time by more than rounding: `small`.
 bool surelyMeet(const Flight& f, double time, double small) {
   const Case c = at(f, time);
+  if (f.options.margin < 0) return collide(c.a, c.pose_a, c.b, c.pose_b, {f.options.margin - small, 0});
   const Reference reference(c);
   if (f.options.margin > 0) return static_cast<double>(reference.distance().high) <= f.options.margin - small;
   if (!reference.collide()) return false;
@@ -80,17 +82,25 @@ bool surelyMeet(const Flight& f, double time, double small) {
 
 std::string wrongWith(Random& random, const Flight& f, const std::optional<Impact>& impact, double small) {
   const double margin = f.options.margin;
-  if ((impact && impact->time == 0) != Reference(f.start).within(margin)) return "time 0 or not";
+  const bool at_once = margin < 0 ? collide(f.start.a, f.start.pose_a, f.start.b, f.start.pose_b, {margin, 0})
+                                  : Reference(f.start).within(margin);
+  if ((impact && impact->time == 0) != at_once) return "time 0 or not";
   const double until = impact ? impact->time : 1;
-  for (int i = 0; i < 12 && until > 0; ++i) {
+  // The local depths of other polygons jump where components join.
+  const bool jumps = margin < 0 && !(f.start.a.isConvex() && f.start.b.isConvex());
+  for (int i = 0; i < 12 && until > 0 && !jumps; ++i) {
     const double time = i < 6 ? until * random.unit() : until * (1 - std::pow(10, -random.real(0, 12)));
     if (surelyMeet(f, time, small)) return "they meet before, at " + support::hex(time);
   }
-  if (!impact) return surelyMeet(f, 1, small) ? "they meet at the end" : "";
+  if (!impact) return !jumps && surelyMeet(f, 1, small) ? "they meet at the end" : "";
   if (!(impact->time >= 0 && impact->time <= 1)) return "time out of range";
   if (!(std::abs(impact->normal.norm() - 1) < 1e-12)) return "normal isn't of unit length";
   const double way = (speedOf(f.start.a, f.motion_a) + speedOf(f.start.b, f.motion_b)) * f.options.time_error;
   const Case then = at(f, impact->time);
+  if (margin < 0 && !impact->budget_ended &&
+      !collide(then.a, then.pose_a, then.b, then.pose_b, {margin + way + small, 0}))
+    return "they aren't as deep within the time error";
+  if (margin < 0) return {};
   const auto apart = static_cast<double>(Reference(then).distance().low) - margin;
   if (apart > way + small)
     return "they don't come near within the time error: " + support::hex(apart) + " is left of at most " +
@@ -117,13 +127,16 @@ void soakImpact(Run& run) {
     f.start.pose_b = f.motion_b.start;
     f.options.time_error = random.oneIn(8) ? 0 : std::pow(10, random.real(-9, -3));
     if (random.oneIn(3)) f.options.margin = drawn.size * random.unit();
-    const double length = f.options.margin +
+    if (random.oneIn(6)) f.options.margin = -drawn.size * std::pow(10, -random.real(0, 9));
+    const double length = std::abs(f.options.margin) +
                           (f.start.pose_a.translation() - f.start.pose_b.translation()).stableNorm() +
                           lengthOf(f.start.a, f.motion_a) + lengthOf(f.start.b, f.motion_b);
     // Beyond, whatever may come near may be reported; far from the origin, poses at a time are rounded by more.
     const double far = f.start.pose_a.translation().stableNorm() + f.start.pose_b.translation().stableNorm();
     if (!(length < 1e300 && length > 1e-300 && far < 1e300)) continue;
-    const double small = 1e-13 * length + 1e-15 * far;
+    double small = 1e-13 * length + 1e-15 * far;
+    // Depths are less precise, see penetration().
+    if (f.options.margin < 0) small = 4 * small + 1e-11 * reach;
     const auto impact = timeOfImpact(f.start.a, f.motion_a, f.start.b, f.motion_b, f.options);
     run.count(drawn.family, impact.has_value());
     std::string problem = wrongWith(random, f, impact, small);
@@ -136,7 +149,7 @@ void soakImpact(Run& run) {
     if (problem.empty() && random.oneIn(8) && drawn.size > 1e-100 && length < 1e100) {
       LeastDistanceOptions least;
       least.error = drawn.size * std::pow(10, -random.real(1, 9));
-      least.margin = f.options.margin;
+      least.margin = std::max(f.options.margin, 0.0);
       problem = support::wrongLeastDistance(f.start.a, f.motion_a, f.start.b, f.motion_b, least,
                                             leastDistance(f.start.a, f.motion_a, f.start.b, f.motion_b, least), 12);
     }

@@ -309,6 +309,14 @@ TEST(NegativeMargin, PosesOffRigidTheTinyAndTheHuge) {
         timeOfImpact(room, still(0, 0), crate, slide(-2 * size, size, {4 * size, 0}), allowing(1e-6 * size));
     expectImpact(impact, 0.75 + 0.25e-6, 1e-6);
   }
+  // Along a cubic, whose speed has squares that underflow, down into the floor.
+  for (const double size : {1e-245, 1.0, 1e200}) {
+    Motion falls = still(-2 * size, 2 * size);
+    falls.shift_3 = Vec2(0, -8 * size);
+    const auto impact =
+        timeOfImpact(kFloor.scaled(size), still(0, 0), kCrate.scaled(size), falls, allowing(1e-3 * size));
+    expectImpact(impact, std::cbrt(1.001 / 8), 1e-6);
+  }
   for (const double off : {4e-15, 1e-10, 4e-5}) {
     Motion motion = slide(-2, 1 + 0.5 * off, {4, 0});
     motion.start.linear() *= 1 + off;
