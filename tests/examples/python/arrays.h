@@ -124,10 +124,11 @@ inline tricover::Pose onePose(const py::object& given, const char* name) {
 }
 
 /// How many queries two sets of poses are.
-inline std::size_t countOf(const Poses& a, const Poses& b) {
+inline std::size_t countOf(const Poses& a, const Poses& b, const char* name_a = "pose_a",
+                           const char* name_b = "pose_b") {
   if (!a.is_one && !b.is_one && a.poses.size() != b.poses.size())
-    throw std::invalid_argument("pose_b: there are " + std::to_string(b.poses.size()) + ", but of pose_a " +
-                                std::to_string(a.poses.size()));
+    throw std::invalid_argument(std::string(name_b) + ": there are " + std::to_string(b.poses.size()) + ", but of " +
+                                name_a + " " + std::to_string(a.poses.size()));
   return a.is_one ? b.poses.size() : a.poses.size();
 }
 

@@ -156,6 +156,19 @@ void definePoses(py::module_& m) {
           py::arg("dtype") = py::none(), py::arg("copy") = py::none());
 }
 
+/// Yes or no for each pair of poses.
+template <typename Query>
+py::object ofPoses(const py::object& pose_a, const char* name_a, const py::object& pose_b, const char* name_b,
+                   std::size_t threads, const Query& query) {
+  const Poses poses_a = posesFrom(pose_a, name_a), poses_b = posesFrom(pose_b, name_b);
+  if (poses_a.is_one && poses_b.is_one) return py::bool_(query(poses_a[0], poses_b[0]));
+  const std::size_t count = countOf(poses_a, poses_b, name_a, name_b);
+  py::array_t<bool> answers(static_cast<py::ssize_t>(count));
+  bool* const answer = answers.mutable_data();
+  forEachInParallel(count, threads, [&](std::size_t i) { answer[i] = query(poses_a[i], poses_b[i]); });
+  return std::move(answers);
+}
+
 void defineBooleans(py::module_& m) {
   py::enum_<tricover::Touching>(m, "Touching")
       .value("COLLIDES", tricover::Touching::Collides)
@@ -164,17 +177,22 @@ void defineBooleans(py::module_& m) {
       "collide",
       [](const Polygon& a, const py::object& pose_a, const Polygon& b, const py::object& pose_b, double margin,
          double tolerance, tricover::Touching touching, std::size_t threads) -> py::object {
-        const Poses poses_a = posesFrom(pose_a, "pose_a"), poses_b = posesFrom(pose_b, "pose_b");
-        const tricover::CollideOptions options{margin, tolerance, touching};
-        if (poses_a.is_one && poses_b.is_one) return py::bool_(collide(a, poses_a[0], b, poses_b[0], options));
-        py::array_t<bool> answers(static_cast<py::ssize_t>(countOf(poses_a, poses_b)));
-        bool* const answer = answers.mutable_data();
-        forEachInParallel(countOf(poses_a, poses_b), threads,
-                          [&](std::size_t i) { answer[i] = collide(a, poses_a[i], b, poses_b[i], options); });
-        return std::move(answers);
+        return ofPoses(pose_a, "pose_a", pose_b, "pose_b", threads, [&](const auto& at_a, const auto& at_b) {
+          return collide(a, at_a, b, at_b, {margin, tolerance, touching});
+        });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
       py::arg("tolerance") = 0.0, py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
+  m.def(
+      "covers",
+      [](const Polygon& area, const py::object& pose_area, const Polygon& part, const py::object& pose_part,
+         double margin, std::size_t threads) {
+        return ofPoses(
+            pose_area, "pose_area", pose_part, "pose_part", threads,
+            [&](const auto& at_area, const auto& at_part) { return covers(area, at_area, part, at_part, {margin}); });
+      },
+      py::arg("area"), py::arg("pose_area"), py::arg("part"), py::arg("pose_part"), py::arg("margin") = 0.0,
+      py::arg("threads") = 0);
   py::enum_<tricover::Location>(m, "Location")
       .value("OUTSIDE", tricover::Location::Outside)
       .value("BOUNDARY", tricover::Location::Boundary)

@@ -103,6 +103,14 @@ void defineBooleans(py::class_<Scene>& scene) {
           py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("touching") = tricover::Touching::Collides,
           py::arg("threads") = 0)
       .def(
+          "covers",
+          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t mask,
+             std::optional<BodyHandle> ignored) {
+            return self.covers(polygon, onePose(pose, "pose"), {margin}, filterFrom(mask, ignored));
+          },
+          py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
+          py::arg("ignored") = py::none())
+      .def(
           "colliding",
           [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t mask,
              std::optional<BodyHandle> ignored, tricover::Touching touching) {

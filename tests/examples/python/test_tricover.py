@@ -188,6 +188,26 @@ class Pairs(unittest.TestCase):
         self.assertIsNone(tc.time_of_impact(SQUARE, floor, SQUARE, slides, margin=-1e-6))
         self.assertEqual(tc.conflicts(SQUARE, floor, SQUARE, slides, margin=-1e-6), [])
 
+    def test_covers(self):
+        sheet, crate = tc.box(4, 4), tc.box(1, 1)
+        poses = [(0, 0, 0), (1.5, 0, 0), (1.6, 0, 0)]
+        np.testing.assert_array_equal(tc.covers(sheet, ORIGIN, crate, poses), [True, True, False])
+        np.testing.assert_array_equal(tc.covers(sheet, ORIGIN, crate, poses, margin=0.25), [True, False, False])
+        self.assertIs(tc.covers(crate, ORIGIN, sheet, ORIGIN), False)
+        lanes = tc.Scene()
+        left, _ = lanes.add(sheet, (-2, 0, 0)), lanes.add(sheet, (2, 0, 0))
+        self.assertIs(lanes.covers(crate, ORIGIN), True)
+        self.assertIs(lanes.covers(crate, ORIGIN, ignored=left), False)
+        with self.assertRaisesRegex(ValueError, "margin"):
+            tc.covers(sheet, ORIGIN, crate, ORIGIN, margin=-1)
+        with self.assertRaisesRegex(ValueError, "pose_part: there are 3, but of pose_area 2"):
+            tc.covers(sheet, poses[:2], crate, poses)
+
+    def test_rays_ignore_an_overlap_that_is_allowed(self):
+        scene = tc.Scene()
+        scene.add(SQUARE, ORIGIN, margin=-0.1)
+        self.assertEqual([part.end.fraction for _, part in scene.cast_ray_all((-1, 0.5), (3, 0.5))], [0.5])
+
     def test_complements(self):
         outside = SQUARE.complement()
         self.assertEqual((SQUARE.is_complement, outside.is_complement), (False, True))

@@ -222,6 +222,10 @@ Way = TypeVar("Way", Motion, Trajectory)
 
 def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
             touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
+def covers(area: Polygon, pose_area: PosesLike, part: Polygon, pose_part: PosesLike, margin: float = 0.0,
+           threads: int = 0) -> Union[bool, NDArray[np.bool_]]:
+    """Whether the area holds all of the part, inflated by the margin."""
+
 def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
              threads: int = 0) -> Distance: ...
 def signed_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
@@ -279,6 +283,9 @@ class Scene:
     def collides(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
                  mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                  touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
+    def covers(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
+               ignored: Optional[int] = None) -> bool:
+        """Whether the union of the bodies holds all of it."""
     def colliding(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
                   ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES) -> List[int]: ...
     def nearest(self, polygon: Polygon, pose: PosesLike, mask: int = 0xFFFFFFFF,
