@@ -76,7 +76,7 @@ int run(const std::vector<std::string>& arguments) {
 
   tricover::SvgDrawing drawing;
   const double first = conflicts.at(0).conflict.impact.time;
-  for (const auto& [body, each] : plans) scene.move(body, each.at(first));
+  for (const tricover::BodyTrajectory& plan : plans) scene.move(plan.body, plan.trajectory.at(first));
   drawing.scene(scene, "#93c5fd");
   drawing.polygon(scene.polygon(hall), scene.pose(hall), "#d6d3d1");
   savePicture(drawing, arguments[0]);

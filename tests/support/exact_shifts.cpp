@@ -68,9 +68,9 @@ class Cut {
     if (slope > 0 && root > begin_) begin_ = root;
     if (slope < 0 && root < end_) end_ = root;
   }
-  void unite(std::optional<Interval>& all) const {
+  void unite(std::optional<TimeInterval>& all) const {
     if (is_empty_ || begin_ > end_) return;
-    if (!all) all = Interval{begin_, end_};
+    if (!all) all = TimeInterval{begin_, end_};
     if (begin_ < all->begin) all->begin = begin_;
     if (end_ > all->end) all->end = end_;
   }
@@ -81,8 +81,8 @@ class Cut {
 };
 
 /// When the point t `by` is within the margin of a convex ring of four corners, possibly flat.
-std::optional<Interval> timesNear(const Vector (&corner)[4], const Vector& by, const mpq_class& margin) {
-  std::optional<Interval> all;
+std::optional<TimeInterval> timesNear(const Vector (&corner)[4], const Vector& by, const mpq_class& margin) {
+  std::optional<TimeInterval> all;
   const mpq_class area = cross(corner[1] - corner[0], corner[3] - corner[0]), square = dot(by, by);
   Cut inside;
   for (int i = 0; i < 4; ++i) {
@@ -114,10 +114,10 @@ std::optional<Interval> timesNear(const Vector (&corner)[4], const Vector& by, c
   return all;
 }
 
-std::vector<Interval> merged(std::vector<Interval> all) {
+std::vector<TimeInterval> merged(std::vector<TimeInterval> all) {
   std::sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.begin < q.begin; });
-  std::vector<Interval> result;
-  for (const Interval& interval : all) {
+  std::vector<TimeInterval> result;
+  for (const TimeInterval& interval : all) {
     if (result.empty() || interval.begin > result.back().end)
       result.push_back(interval);
     else if (interval.end > result.back().end)
@@ -128,11 +128,11 @@ std::vector<Interval> merged(std::vector<Interval> all) {
 
 }  // namespace
 
-std::vector<Interval> contactsOfShifts(const Polygon& polygon_a, const Motion& motion_a, const Polygon& polygon_b,
-                                       const Motion& motion_b, const mpq_class& margin) {
+std::vector<TimeInterval> contactsOfShifts(const Polygon& polygon_a, const Motion& motion_a, const Polygon& polygon_b,
+                                           const Motion& motion_b, const mpq_class& margin) {
   const PosedRegion a(polygon_a, motion_a.start), b(polygon_b, motion_b.start);
   const Vector by = exactly(motion_b.shift) - exactly(motion_a.shift);
-  std::vector<Interval> all;
+  std::vector<TimeInterval> all;
   for (const auto& [v, w] : a.edges)
     for (const auto& [p, q] : b.edges) {
       const Vector corner[] = {v - p, w - p, w - q, v - q};

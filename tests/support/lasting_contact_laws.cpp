@@ -17,14 +17,14 @@
 namespace tricover::support {
 namespace {
 
-std::vector<exact::Interval> contactsOf(const MovingCase& c, const mpq_class& margin) {
+std::vector<exact::TimeInterval> contactsOf(const MovingCase& c, const mpq_class& margin) {
   return exact::contactsOfShifts(c.a, c.motion_a, c.b, c.motion_b, margin);
 }
 
 /// In order, without those that touch.
-std::vector<exact::Interval> merged(const std::vector<exact::Interval>& all) {
-  std::vector<exact::Interval> result;
-  for (const exact::Interval& interval : all) {
+std::vector<exact::TimeInterval> merged(const std::vector<exact::TimeInterval>& all) {
+  std::vector<exact::TimeInterval> result;
+  for (const exact::TimeInterval& interval : all) {
     if (result.empty() || interval.begin > result.back().end)
       result.push_back(interval);
     else if (interval.end > result.back().end)
@@ -109,8 +109,8 @@ double lengthOf(const MovingCase& c) { return c.margin + lengthOf(c.a, c.motion_
 
 std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& counts) {
   const mpq_class margin = c.margin, length = lengthOf(c);
-  const std::vector<exact::Interval> truth = contactsOf(c, margin),
-                                     wide = contactsOf(c, margin + length * mpq_class("1/10000000000000"));
+  const std::vector<exact::TimeInterval> truth = contactsOf(c, margin),
+                                         wide = contactsOf(c, margin + length * mpq_class("1/10000000000000"));
   ImpactOptions options;
   options.margin = c.margin;
   options.time_error = error;
@@ -118,16 +118,16 @@ std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& co
   const double seen = std::max(error, 1e-9) * (1 + 1e-6);
   std::string wrong = wrongOrder(found);
   if (!wrong.empty()) return wrong;
-  for (const exact::Interval& interval : truth)
+  for (const exact::TimeInterval& interval : truth)
     if (std::none_of(found.begin(), found.end(),
                      [&](const Conflict& f) { return isContact(f, interval.begin) && isContact(f, interval.end); }))
       return at("missed", interval.begin);
   // Nothing is told for longer than the error but what comes within rounding.
-  std::vector<exact::Interval> may_be = wide;
-  for (exact::Interval& interval : may_be) interval.begin -= seen, interval.end += seen;
+  std::vector<exact::TimeInterval> may_be = wide;
+  for (exact::TimeInterval& interval : may_be) interval.begin -= seen, interval.end += seen;
   may_be = merged(may_be);
   for (const Conflict& f : found)
-    if (std::none_of(may_be.begin(), may_be.end(), [&](const exact::Interval& interval) {
+    if (std::none_of(may_be.begin(), may_be.end(), [&](const exact::TimeInterval& interval) {
           return interval.begin <= f.impact.time && f.end <= interval.end;
         }))
       return at("apart", mpq_class(f.impact.time));
@@ -140,14 +140,14 @@ std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& co
   // The separation itself is none: what is told later is another contact.
   const auto near = contactsOf(c, margin + length * mpq_class("1/1000000000000000"));
   if (!later.empty() && !near.empty() && near[0].begin == 0) {
-    const auto next = std::find_if(wide.begin(), wide.end(), [](const exact::Interval& i) { return i.begin > 0; });
+    const auto next = std::find_if(wide.begin(), wide.end(), [](const exact::TimeInterval& i) { return i.begin > 0; });
     if (next == wide.end() || next->begin > later[0].end + seen) return at("the separation", later[0].impact.time);
   }
   ++counts.cases;
   counts.at_begin += starts_in_contact;
   counts.later += !later.empty();
   counts.none += found.empty();
-  for (const exact::Interval& interval : truth)
+  for (const exact::TimeInterval& interval : truth)
     if (interval.end - interval.begin > 0.1) {
       ++counts.lasting;
       break;

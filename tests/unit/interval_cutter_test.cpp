@@ -51,7 +51,7 @@ constexpr int kWays = 5;
 
 /// What one of the ways leaves of an interval in which two edges may meet; nothing if low > high.
 Rest restBy(int way, const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
-  if (way == 4) return interval.pair.keepLengths() ? restOfEdges(interval, edge_a, edge_b) : Rest{0, 1, 0};
+  if (way == 4) return restOfEdges(interval, edge_a, edge_b);
   const MovingBox a = interval.pair.a.edge(interval.a, edge_a), b = interval.pair.b.edge(interval.b, edge_b);
   const NearestPoints at_begin(interval.pair.a.ends(interval.a, 0, edge_a), interval.pair.b.ends(interval.b, 0, edge_b),
                                interval.pair.error);

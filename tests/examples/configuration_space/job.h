@@ -102,14 +102,14 @@ class Job {
   Size size_;
   tricover::OccupancyGrid map_;
   tricover::Scene scene_;
-  tricover::Polygon robot_{{{{-0.5, -0.3},
-                             {0.6, -0.3},
-                             {0.6, -0.2},
-                             {0, -0.2},  //
-                             {0, 0.2},
-                             {0.6, 0.2},
-                             {0.6, 0.3},
-                             {-0.5, 0.3}}}};  // a forklift, in metres
+  tricover::Polygon robot_{{{-0.5, -0.3},
+                            {0.6, -0.3},
+                            {0.6, -0.2},
+                            {0, -0.2},  //
+                            {0, 0.2},
+                            {0.6, 0.2},
+                            {0.6, 0.3},
+                            {-0.5, 0.3}}};  // a forklift, in metres
   tricover::CollideOptions options_;
   std::string header_;
 };
