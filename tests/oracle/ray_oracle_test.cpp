@@ -40,9 +40,9 @@ void check(const Polygon& polygon, const Pose& pose, const Ray& ray, Tally& tall
     wrong = "collide";
   else if (hit)
     wrong = wrongHit(polygon, pose, ray, *hit, *truth);
-  const std::vector<exact::Interval> parts = exact::castRayAll(polygon, pose, ray.from, ray.to);
+  const std::vector<exact::RayPart> parts = exact::castRayAll(polygon, pose, ray.from, ray.to);
   tally.several += parts.size() > 1;
-  for (const exact::Interval& part : parts) tally.touches += part.begin.fraction == part.end.fraction;
+  for (const exact::RayPart& part : parts) tally.touches += part.begin.fraction == part.end.fraction;
   if (wrong.empty()) {
     wrong = wrongIntervals(polygon, pose, ray, castRayAll(polygon, pose, ray.from, ray.to), parts);
     if (!wrong.empty()) wrong = "castRayAll: " + wrong;

@@ -347,12 +347,15 @@ std::optional<FirstHit> castRay(const Polygon& polygon, const Pose& pose, const 
   return FirstHit{inWorldUnits(*least, 0), first};
 }
 
-std::vector<Interval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
+std::vector<RayPart> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to) {
   const Pair pair = griddedPair(polygon, pose, Polygon({{from, to, to}}), Pose::Identity());
   const std::vector<Edge> all = edges(pair.a);
   const Point &start = pair.b.rings[0][0], &end = pair.b.rings[0][1], way = {end.x - start.x, end.y - start.y};
-  const bool starts = locate(pair.a, all, start) != Location::Outside;
-  if (from == to) return starts ? std::vector<Interval>{{{0, -1}, {1, -1}}} : std::vector<Interval>{};
+  std::vector<RayPart> intervals;
+  if (from == to) {
+    if (locate(pair.a, all, start) != Location::Outside) intervals.push_back({{0, -1}, {1, -1}});
+    return intervals;
+  }
   const Edge ray = edge(start, end);
   std::map<mpq_class, std::ptrdiff_t> firsts, lasts;  // the lowest edge at each fraction
   std::vector<mpq_class> cuts = {0, 1};
@@ -376,7 +379,6 @@ std::vector<Interval> castRayAll(const Polygon& polygon, const Pose& pose, const
       for (Point& p : ring) p = {p.x * d, p.y * d};
     return locate(fine, edges(fine), {start.x * d + way.x * n, start.y * d + way.y * n}) != Location::Outside;
   };
-  std::vector<Interval> intervals;
   bool is_open = false;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     const mpq_class& cut = cuts[i];

@@ -46,10 +46,10 @@ std::optional<FirstHit> castRay(const Polygon& polygon, const Pose& pose, const 
 
 /// All of the way in the region, in order: each interval's begin as above, and its end as seen on the way back, but
 /// with the fraction from `from` on. Between two fractions at which edges are met, a midpoint is inside or not.
-struct Interval {
+struct RayPart {
   FirstHit begin, end;
 };
-std::vector<Interval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to);
+std::vector<RayPart> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to);
 
 /// Whether the square root of `distance_squared` is at most `length` >= 0.
 bool within(const mpq_class& distance_squared, const mpq_class& length);

@@ -108,7 +108,7 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
 }
 
 std::string wrongIntervals(const Polygon& polygon, const Pose& pose, const Ray& ray,
-                           const std::vector<RayInterval>& intervals, const std::vector<exact::Interval>& truth) {
+                           const std::vector<RayInterval>& intervals, const std::vector<exact::RayPart>& truth) {
   if (intervals.size() != truth.size()) return "number of intervals";
   const auto hit = castRay(polygon, pose, ray.from, ray.to);
   if (hit.has_value() == intervals.empty()) return "castRay: hit or not";

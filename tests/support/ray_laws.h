@@ -28,6 +28,6 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
 /// What is wrong with the intervals in the region; empty if they are right. Beside the truth, the first one begins with
 /// castRay()'s hit, and the way back meets the same edges.
 std::string wrongIntervals(const Polygon& polygon, const Pose& pose, const Ray& ray,
-                           const std::vector<RayInterval>& intervals, const std::vector<exact::Interval>& truth);
+                           const std::vector<RayInterval>& intervals, const std::vector<exact::RayPart>& truth);
 
 }  // namespace tricover::support
