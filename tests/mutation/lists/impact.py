@@ -31,7 +31,7 @@ MUTATIONS = [
     ("src/impact/vertex_paths.h", "if (std::abs(at) <= half) return share;", "return share;", "vertex beside edge: an edge without ends"),
     ("src/impact/vertex_paths.h", "chord_error_.of(lever, distance) * inverse_", "0 * chord_error_.of(lever, distance) * inverse_", "vertex beside edge: bent ways taken for straight"),
     ("src/impact/moving_pair.h", "error < 1 && a.isInRange() &&", "error < 1 &&", "vertices' ways: a polygon whose units are out of range"),
-    ("src/impact/moving_pair.cpp", "if (defect <= kMostDefect) return;", "if (defect <= 1) return;", "a pose off rigid is taken for a rotation"),
+    ("src/impact/moving_pair.cpp", "constexpr double kMostDefect = 0x1p-47;", "constexpr double kMostDefect = 1;", "a pose off rigid is taken for a rotation"),
     ("src/impact/time_interval.h", "half_square * rates.bend(lever_a, lever_b) + pull.most", "pull.most", "interval: no chord_error along fixed axes"),
     ("src/impact/time_interval.h", "const double always = 2 * rate * rates.speed + rates.pull;", "const double always = 0 * rate + rates.pull;", "interval: chord_error by speed along turning axes"),
     ("src/impact/time_interval.h", "return {pull.most, 0, pull.most, 0, 0};", "return {0, 0, 0, 0, 0};", "interval: no chord_error of ways that bend without turns"),
