@@ -14,8 +14,8 @@ struct CollideOptions {
   ///
   /// A negative margin allows an overlap. Regions collide with a margin of -e if they are at least e deep in each other
   /// (with Touching::Allowed: deeper than e): a component of their overlap is, by ContactDetail::LocalDepth of
-  /// contacts(), and no shorter translation separates the regions, by penetration(). (The latter is left out beyond 4096
-  /// vertices, and for complements.) The answer is as precise as these depths.
+  /// contacts(), and no shorter translation separates the regions, by penetration(). (The latter is left out beyond
+  /// 4096 vertices, and for complements.) The answer is as precise as these depths.
   double margin = 0;
   /// A world length, at least 0. A tolerance makes queries faster: the answer is true up to a distance of margin, false
   /// above margin + tolerance, and either one in between.
@@ -31,8 +31,9 @@ struct CollideOptions {
 /// the thread. Typical cost: O(log n + log m + k), where k counts pairs of edges in reach and rings that begin near.
 ///
 /// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, for a margin that is
-/// not finite, for a tolerance that is negative or not finite, and for a value that Touching doesn't have. The first query of a polygon
-/// that comes near it builds its hierarchy, which throws std::length_error for more than 2^29 vertices.
+/// not finite, for a tolerance that is negative or not finite, and for a value that Touching doesn't have. The first
+/// query of a polygon that comes near it builds its hierarchy, which throws std::length_error for more than 2^29
+/// vertices.
 ///
 /// \snippet collide.cpp collide
 /// \snippet collide.cpp touching

@@ -23,9 +23,8 @@ struct Conflict {
 /// end. With a margin, these are the intervals in which the polygons are no farther apart than that. With
 /// `ignore_initial`, an interval that begins at 0 is left out.
 ///
-/// - Whenever the polygons meet, an interval says so. They are apart, as collide() says of both poses, at each end
-/// below
-///   1, and from there as timeOfImpact() says. Coming within 1e-13 L counts as it does there.
+/// - Whenever the polygons meet, an interval says so. They are apart at each end below 1, as collide() says of both
+///   poses, and from there as timeOfImpact() says. Coming within 1e-13 L counts as it does there.
 /// - Whenever an interval says so, the polygons meet, or did or will by less than `time_error`. Being apart for less
 ///   than that may not be seen.
 ///
@@ -33,9 +32,9 @@ struct Conflict {
 /// some tens of collide()s, whatever `time_error` is.
 ///
 /// The search has a budget: that of each timeOfImpact(), and 2^21 steps along contacts, for contrived inputs. If one of
-/// these ends, the last interval reaches to 1 and has `budget_ended` set. `ignore_initial` doesn't leave such an interval
-/// out. With a negative margin there are 2^14 steps, each as long as the overlap stays as deep by its depth and the
-/// speed, or half a `time_error`.
+/// these ends, the last interval reaches to 1 and has `budget_ended` set. `ignore_initial` doesn't leave such an
+/// interval out. With a negative margin there are 2^14 steps, each as long as the overlap stays as deep by its depth
+/// and the speed, or half a `time_error`.
 ///
 /// Throws as timeOfImpact() does. A `time_error` below 1e-9 is taken for that.
 ///

@@ -61,7 +61,7 @@ struct RayInterval {
 /// from 0 to 1. Typical cost: O(log n + k log k), where k counts the edges near the ray's line.
 ///
 /// With a margin, each end is as precise as castRay()'s hit. The ray may be outside of the grown region for less than
-/// 1e-9 of its length within an interval. 	hrows as castRay()
+/// 1e-9 of its length within an interval. Throws as castRay() does.
 ///
 /// \snippet ray.cpp all
 TRICOVER_EXPORT std::vector<RayInterval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from,

@@ -9,7 +9,7 @@ namespace tricover {
 
 /// The distance of two regions, or how deep they are in each other, in the world.
 struct SignedDistance {
-  double distance;   ///< A world length, less the margin. Of regions that overlap: minus the penetration depth.
+  double distance;   ///< A world length, less the margin. Minus the penetration depth where they overlap.
   Vec2 normal;       ///< A unit vector from a to b: moving b along it increases the distance.
   Vec2 point_a;      ///< The point of a nearest to b or, of regions that overlap, that is separated last.
   Vec2 point_b;      ///< The same point of b. `point_b` is near point_a + distance * normal, without a margin.

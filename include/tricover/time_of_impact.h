@@ -20,7 +20,7 @@ struct ImpactOptions {
   /// If true, polygons that collide at time 0, with the margin, have no impact before they have separated once. The
   /// search may miss a separation shorter than `time_error` (or 1e-9, if that is more).
   bool ignore_initial = false;
-  /// Of trajectories: if true, a body is absent before its trajectory begins and after it ends. Otherwise it rests
+  /// If true, a body of a trajectory is absent before its trajectory begins and after it ends. Otherwise it rests
   /// there. A body that has no trajectory of its own is always there.
   bool absent_outside = false;
 };
@@ -63,10 +63,10 @@ struct Impact {
 ///
 /// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. An interval
 /// of time is free if one polygon has no contact in it once it is translated by no more than is allowed, or made
-/// smaller by as much; these are times of impact as above. Where neither is free, as of jaws that grip a bar, the search
-/// goes on by the overlap that is left until the allowed one. There the local depths of polygons that are not convex may
-/// jump, as components join, and an impact may be later by such a step. After 4096 steps the result has `budget_ended`
-/// set.
+/// smaller by as much; these are times of impact as above. Where neither is free, as of jaws that grip a bar, the
+/// search goes on by the overlap that is left until the allowed one. There the local depths of polygons that are not
+/// convex may jump, as components join, and an impact may be later by such a step. After 4096 steps the result has
+/// `budget_ended` set.
 ///
 /// Throws std::invalid_argument for motions that checkMotion() refuses, for a margin that is not finite, and for a
 /// time_error that is negative or not finite. Throws std::length_error as collide() does.
