@@ -31,7 +31,6 @@ MUTATIONS = [
     ("src/impact/vertex_paths.h", "if (std::abs(at) <= half) return share;", "return share;", "vertex beside edge: an edge without ends"),
     ("src/impact/vertex_paths.h", "chord_error_.of(lever, distance) * inverse_", "0 * chord_error_.of(lever, distance) * inverse_", "vertex beside edge: bent ways taken for straight"),
     ("src/impact/moving_pair.h", "error < 1 && a.isInRange() &&", "error < 1 &&", "vertices' ways: a polygon whose units are out of range"),
-    ("src/impact/moving_pair.cpp", "constexpr double kMostDefect = 0x1p-47;", "constexpr double kMostDefect = 1;", "a pose off rigid is taken for a rotation"),
     ("src/impact/time_interval.h", "half_square * rates.bend(lever_a, lever_b) + pull.most", "pull.most", "interval: no chord_error along fixed axes"),
     ("src/impact/time_interval.h", "const double always = 2 * rate * rates.speed + rates.pull;", "const double always = 0 * rate + rates.pull;", "interval: chord_error by speed along turning axes"),
     ("src/impact/time_interval.h", "return {pull.most, 0, pull.most, 0, 0};", "return {0, 0, 0, 0, 0};", "interval: no chord_error of ways that bend without turns"),
@@ -57,5 +56,5 @@ MUTATIONS = [
     ("src/impact/vertex_paths.h", "const double off = rounding_ + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));", "const double off = rounding_;", "lasting contact: straight paths on either side"),
     ("src/impact/least_distance.cpp", "ImpactOptions closer{std::min(middle + options.margin, kLargest), 0};", "ImpactOptions closer{std::min(middle, kLargest), 0};", "least distance: without its margin"),
     ("src/impact/least_distance.cpp", "closer.absent_outside = options.absent_outside;", "", "least distance: of bodies that are absent"),
-    ("src/impact/least_distance.cpp", "  look(end);\n", "", "least distance: not at the end"),
+    ("src/impact/least_distance.cpp", "  look(end);", "  look(std::min(begin, end));", "least distance: not at the end"),
 ]
