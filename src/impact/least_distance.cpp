@@ -36,8 +36,9 @@ LeastDistance leastOn(const Polygon& a, const Path& path_a, const Polygon& b, co
   look(begin);
   look(end);
   double lower = 0;
-  // Each step halves what is between the bounds, all of the range of doubles at most.
-  for (int step = 0; step < 2200 && least.distance - lower > options.error; ++step) {
+  // The first step asks whether they meet, whatever the error. Each other one halves what is between the bounds, all of
+  // the range of doubles at most.
+  for (int step = 0; step < 2200 && least.distance - lower > (step == 0 ? 0 : options.error); ++step) {
     const double before = least.distance, middle = step == 0 ? 0 : lower + 0.5 * (std::min(before, kLargest) - lower);
     if (step > 0 && !(lower < middle && middle < before)) break;  // they are neighbours
     ImpactOptions closer{std::min(middle + options.margin, kLargest), 0};

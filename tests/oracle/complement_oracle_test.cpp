@@ -356,6 +356,7 @@ TEST(Complement, IsTheClosureOfTheOutside) {
     }
   }
   std::printf("%d cases, %d refused, %d without some edges\n", cases, refused, left_out);
+  if (isScaledDown()) return;
   EXPECT_GE(left_out, cases / 16);
   EXPECT_LT(refused, cases / 4);
 }

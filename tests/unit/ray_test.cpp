@@ -313,8 +313,9 @@ TEST(RayAll, WithAMarginAgreesWithCastRayAndCollide) {
     for (std::size_t k = 0; k + 1 < parts.size(); ++k)
       EXPECT_FALSE(collidesAt(0.5 * (parts[k].end.point + parts[k + 1].begin.point), -1e-12));
   }
-  EXPECT_GT(several, scaledCount(300) / 30);
-  EXPECT_GT(intervals, scaledCount(300) / 3);
+  if (isScaledDown()) return;
+  EXPECT_GT(several, 10);
+  EXPECT_GT(intervals, 100);
 }
 
 TEST(Ray, RefusesWhatIsNotFinite) {
