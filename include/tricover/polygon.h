@@ -153,7 +153,7 @@ class TRICOVER_EXPORT Polygon {
  private:
   enum class Adopt { Data };
   Polygon(Adopt, const detail::PolygonData* data) : data_(data) {}
-  Polygon withRings(const std::vector<Ring>& rings) const;  ///< Of the same fill.
+  Polygon withRings(const std::vector<Ring>& rings) const;  ///< With the same fill.
   template <typename Map>
   Polygon mapped(const Map& map) const;
 

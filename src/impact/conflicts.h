@@ -30,8 +30,6 @@ class MovingContact {
 
   /// With a negative margin, the first contact that is as deep.
   std::optional<Impact> deepImpact() const;
-  double precision() const { return precision_; }  ///< of where points are
-  double speed() const { return speed_; }          ///< no point of one moves faster against the other one
 
  private:
   friend class DeepImpact;
@@ -44,10 +42,10 @@ class MovingContact {
   const Motion &motion_a_, &motion_b_;
   const MovingPair pair_;
   const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
-  double precision_;
-  double touch_margin_;  ///< within which they touch
-  int steps_left_;       ///< of endOfContact(), for all contacts together
-  double speed_;
+  double precision_;            ///< of where points are
+  double touch_margin_;         ///< within which they touch
+  int steps_left_;              ///< of endOfContact(), for all contacts together
+  double speed_;                ///< no point of one moves faster against the other one
 };
 
 /// conflicts() of arguments that have been checked. If `leaves_out`, contact that lasts from the begin is left out;

@@ -83,18 +83,18 @@ class DeepImpact {
     for (int step = 0; step < kMostSteps; ++step) {
       Room room = widestRoom(touches_, allowed_, true);
       if (const Room also = widestRoom(touches_, allowed_, false); also.left > 0.25 * room.left) room = also;
-      if (room.left > pair_.precision() && at_once_ < kMostAtOnce) {
+      if (room.left > pair_.precision_ && at_once_ < kMostAtOnce) {
         if (!advance(room.shift)) return ended();
         continue;
       }
       const std::vector<Contact> overlap = overlapNow();
       const double depth = overlap.empty() ? 0 : overlap.front().depth;
-      // What has come near by a proven interval is an impact as early as ordinary ones are.
-      if (depth >= allowed_ - (has_advanced_ ? 2 * pair_.precision() : 0)) return impactHere(overlap);
+      // After a proven interval an impact is as early as ordinary ones are.
+      if (depth >= allowed_ - (has_advanced_ ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
       if (time_ >= 1) return std::nullopt;
       const double last = time_;
       if (!advanceShrunk()) return ended();
-      time_ = std::max(time_, last + std::max(allowed_ - depth, pair_.precision()) / pair_.speed());
+      time_ = std::max(time_, last + std::max(allowed_ - depth, pair_.precision_) / pair_.speed_);
       time_ = std::min(time_, 1.0);
       touchAll(overlapNow());
     }
@@ -106,7 +106,7 @@ class DeepImpact {
  private:
   std::vector<Contact> overlapNow() const {
     const Pose pose_a = pair_.motion_a_.at(time_), pose_b = pair_.motion_b_.at(time_);
-    return allowedOverlap(pair_.a_, pose_a, pair_.b_, pose_b, allowed_ - 2 * pair_.precision());
+    return allowedOverlap(pair_.a_, pose_a, pair_.b_, pose_b, allowed_ - 2 * pair_.precision_);
   }
 
   void touchAll(const std::vector<Contact>& overlap) {
@@ -120,7 +120,7 @@ class DeepImpact {
   bool advance(const Polygon& b, const Vec2& shift) {
     Motion motion_b = pair_.motion_b_.part(time_, 1);
     motion_b.start.translation() += shift;
-    const double time_error = std::min(pair_.precision() / pair_.speed(), 1.0);
+    const double time_error = std::min(pair_.precision_ / pair_.speed_, 1.0);
     touch_ = timeOfImpact(pair_.a_, pair_.motion_a_.part(time_, 1), b, motion_b, {0, time_error});
     if (!touch_) return false;
     const double time = std::min(timeWithin(time_, 1 - time_, touch_->time), 1.0);

@@ -183,8 +183,8 @@ class RayCast {
     return std::abs(fraction - other) > kFractionsApart * (known_ ? share_ : 1);
   }
 
-  /// Of an edge that is hit, towards an end of the ray. That end is on the edge's line only where the ray runs along
-  /// the edge or the edge has no length.
+  /// Returns the normal of an edge that is hit, towards an end of the ray. That end is on the edge's line only where
+  /// the ray runs along the edge or the edge has no length.
   Vec2 normal(std::size_t edge, int seen_from) const {
     const int side = endsWith(edge).sign(2, 3, seen_from);
     if (side == 0) return seen_from == 0 ? Vec2(-unitVector(from(), to())) : unitVector(from(), to());

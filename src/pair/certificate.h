@@ -84,7 +84,7 @@ struct Displacement {
 /// The same in the world; 0 for the kept pose.
 double displacement(const PolygonData& polygon, const double (&kept)[6], const Pose& pose);
 
-/// What recall() can't tell at a glance.
+/// Tells what recall() can't at a glance.
 Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
                          const PolygonData& second, const Pose& second_pose, double margin);
 

@@ -89,7 +89,7 @@ class InnerPieces {
   }
 
  private:
-  /// What is outside of the region, with the pieces for edges.
+  /// Makes the outside of the region, with the pieces for edges.
   static const PolygonData& outsideOf(const PolygonData& given, const std::vector<Piece>& pieces) {
     std::vector<Ring> rings(given.ringCount());
     for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(piece.v);

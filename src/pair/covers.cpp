@@ -17,7 +17,7 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// What of the part's interior no area holds is open: beside some piece of an edge of the part or of an area, on one
+/// The interior of the part that no area holds is open: beside some piece of an edge of the part or of an area, on one
 /// side, the part has its inside and no area has. The rest of the part are pieces of edges without its inside beside
 /// them, and points.
 class CoverSearch {
@@ -60,7 +60,7 @@ class CoverSearch {
                        [&](const PosedPair& pair) { return locateInA(pair.back(), point) != Location::Outside; });
   }
 
-  /// Of the edges of an area that may be inside of the part.
+  /// Asks those edges of an area that may be inside of the part.
   bool hasGapBeside(std::size_t area) {
     struct Context {
       CoverSearch& search;

@@ -123,7 +123,7 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size
   }
 }
 
-/// Of one polygon.
+/// Finds those of one polygon.
 void EdgeSides::findCuts(std::size_t operand, const EdgeSides* before) {
   const PolygonData& polygon = regions_.polygon(operand);
   const ApproxPoint v = regions_.inFrame(operand, operand_, edge_), w = regions_.inFrame(operand, operand_, edge_ + 1);

@@ -47,22 +47,29 @@ TEST(LastingContactOracle, KnowsIntervalsByHand) {
   EXPECT_EQ(contacts(0)[0].begin, mpq_class(1, 2));
 }
 
-TEST(LastingContactOracle, ShiftsAgreeWithExactIntervals) {
-  const int cases = scaledCount(6000);
+/// Asks wrong(case, time error, counts) of so many cases, each drawn by anyCase(random) from a seed of its own.
+template <typename AnyCase, typename Wrong>
+LastingCounts countContacts(int cases, std::uint64_t seed, const AnyCase& anyCase, const Wrong& wrong) {
   LastingCounts counts;
   int failures = 0;
   for (int i = 0; i < cases && failures < 5; ++i) {
-    Random random(static_cast<std::uint64_t>(i) + 37000);
-    const MovingCase c = anyShiftFromContact(random);
+    Random random(static_cast<std::uint64_t>(i) + seed);
+    const MovingCase c = anyCase(random);
     const double error = anyError(random);
-    const std::string wrong = wrongWithShifts(c, error, counts);
-    if (wrong.empty()) continue;
+    const std::string problem = wrong(c, error, counts);
+    if (problem.empty()) continue;
     ++failures;
-    ADD_FAILURE() << i << ": " << wrong << ", time error " << error << ", margin " << c.margin << "\n"
+    ADD_FAILURE() << i << ": " << problem << ", time error " << error << ", margin " << c.margin << "\n"
                   << reproduction(c);
   }
   std::printf("%d cases, %d in contact at first, %d later, %d never, %d for long\n", counts.cases, counts.at_begin,
               counts.later, counts.none, counts.lasting);
+  return counts;
+}
+
+TEST(LastingContactOracle, ShiftsAgreeWithExactIntervals) {
+  const int cases = scaledCount(6000);
+  const LastingCounts counts = countContacts(cases, 37000, anyShiftFromContact, wrongWithShifts);
   if (cases < 400) return;
   EXPECT_GT(counts.at_begin, cases / 3);
   EXPECT_LT(counts.at_begin, 95 * cases / 100);
@@ -73,20 +80,9 @@ TEST(LastingContactOracle, ShiftsAgreeWithExactIntervals) {
 
 TEST(LastingContactOracle, MotionsAgreeWithSamples) {
   const int cases = scaledCount(1500);
-  LastingCounts counts;
-  int failures = 0;
-  for (int i = 0; i < cases && failures < 5; ++i) {
-    Random random(static_cast<std::uint64_t>(i) + 73000);
-    const MovingCase c = anyMotionFromContact(random);
-    const double error = anyError(random);
-    const std::string wrong = wrongWithSamples(c, error, 60, counts);
-    if (wrong.empty()) continue;
-    ++failures;
-    ADD_FAILURE() << i << ": " << wrong << ", time error " << error << ", margin " << c.margin << "\n"
-                  << reproduction(c);
-  }
-  std::printf("%d cases, %d in contact at first, %d later, %d never, %d for long\n", counts.cases, counts.at_begin,
-              counts.later, counts.none, counts.lasting);
+  const LastingCounts counts = countContacts(
+      cases, 73000, anyMotionFromContact,
+      [](const MovingCase& c, double error, LastingCounts& all) { return wrongWithSamples(c, error, 60, all); });
   if (cases < 400) return;
   EXPECT_GT(counts.at_begin, cases / 3);
   EXPECT_LT(counts.at_begin, 95 * cases / 100);
