@@ -131,25 +131,25 @@ bool MovingContact::featuresStay(double time, double next) const {
   return false;
 }
 
+/// The end is the first of the times begin + seen_, begin + 2 seen_ ... at which they are apart, whatever was proven of
+/// those before it: what a certificate proves depends on what was asked of the polygons before.
 MovingContact::End MovingContact::endOfContact(double begin) {
   if (steps_left_-- <= 0) return {begin, false};
+  const auto timeAfter = [&](double steps) { return std::min(1.0, begin + steps * seen_); };
   // An impact is told up to so much too early.
-  double time = begin, step = seen_;
-  if (begin > 0 || !touchAt(0)) {
-    time = std::min(1.0, begin + step);
-    if (!touchAt(time)) return {time, true};
-  }
-  if (meetUntil(time, 1)) return {1, true};
-  while (time < 1) {
-    const double next = std::min(1.0, time + step);
-    if (step > seen_ && !meetUntil(time, next)) {
-      step = std::max(0.5 * step, seen_);
+  double done = begin > 0 || !touchAt(0) ? 1 : 0, step = 1;
+  if (done > 0 && !touchAt(timeAfter(done))) return {timeAfter(done), true};
+  if (meetUntil(timeAfter(done), 1)) return {1, true};
+  while (timeAfter(done) < 1) {
+    const double next = timeAfter(done + step);
+    if (step > 1 && !meetUntil(timeAfter(done), next)) {
+      step *= 0.5;
       continue;
     }
-    if (steps_left_-- <= 0) return {time, false};
+    if (steps_left_-- <= 0) return {timeAfter(done), false};
     // A step that proves nothing is no longer than what is seen.
     if (!touchAt(next)) return {next, true};
-    time = next;
+    done += step;
     step *= 4;
   }
   return {1, true};

@@ -15,6 +15,7 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/prepare.h"
 #include "tricover/segment.h"
 #include "tricover/trajectory.h"
 
@@ -177,6 +178,36 @@ TEST(Trajectory, ConflictsGoOnFromLegToLegInTheClocksTime) {
   ImpactOptions options{0, error, true};
   expectSpans(conflicts(kWalls, rests, kSquare, from_inside, options), {{26.75, 28.25}}, error);
   EXPECT_NEAR(timeOfImpact(kWalls, rests, kSquare, from_inside, options)->time, 26.75, error);
+}
+
+TEST(Conflicts, DontDependOnWhatWasAskedBefore) {
+  Random random(5);
+  int found = 0;
+  for (const Family& family : familiesOfAllSizes()) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(scaledCount(150)); ++seed) {
+      SCOPED_TRACE(family.name + std::to_string(seed));
+      const Case c = family.make(seed);
+      const Motion rests = Motion::still(c.pose_a);
+      Motion passes = Motion::still(c.pose_b);
+      passes.shift = 4 * c.a.radius() * Vec2(random.real(-1, 1), random.real(-1, 1));
+      passes.angle = random.real(-2, 2);
+      const double error = random.real(3e-4, 1e-3);
+      const std::vector<Conflict> first = conflicts(c.a, rests, c.b, passes, {0, error});
+      // With inner discs there are other certificates of overlap.
+      prepare(c.a);
+      prepare(c.b);
+      const std::vector<Conflict> again = conflicts(c.a, rests, c.b, passes, {0, error});
+      ASSERT_EQ(first.size(), again.size());
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        ++found;
+        EXPECT_EQ(first[k].impact.time, again[k].impact.time);
+        EXPECT_EQ(first[k].end, again[k].end);
+      }
+    }
+  }
+  if (!isScaledDown()) {
+    EXPECT_GT(found, 1000);
+  }
 }
 
 }  // namespace
