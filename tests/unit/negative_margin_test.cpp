@@ -180,6 +180,17 @@ TEST(NegativeMargin, ACrateSlidesIntoAWallOfTheFloorsOwnPolygon) {
     }
 }
 
+/// Its sides can't all be shrunk: only translations keep it away from the floor.
+TEST(NegativeMargin, ABodyThatIsNotConvexSlidesIntoAWall) {
+  const Polygon stair(Ring{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0}, {0, 0}, {0, 0.5}, {-0.5, 0.5}});
+  for (const double overlap : kAllowed) {
+    SCOPED_TRACE(overlap);
+    EXPECT_FALSE(timeOfImpact(kFloor, still(0, 0), stair, slide(-2, 1, {4, 0}), allowing(overlap)));
+    const auto impact = timeOfImpact(kRoom, still(0, 0), stair, slide(-2, 1, {4, 0}), allowing(overlap));
+    expectImpact(impact, 0.75 + overlap / 4, 1e-6);
+  }
+}
+
 TEST(NegativeMargin, ACorridorOfTheCratesOwnWidth) {
   const Polygon walls({rectangle(-20, 0.5, 20, 2), rectangle(-20, -2, 20, -0.5)});
   const Polygon slot(Ring{{-3, -3}, {3, -3}, {3, 3}, {0.5, 3}, {0.5, -2}, {-0.5, -2}, {-0.5, 3}, {-3, 3}});

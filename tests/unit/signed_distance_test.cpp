@@ -12,6 +12,8 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/distance.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -100,6 +102,25 @@ TEST(SignedDistance, MovingAlongTheNormalIncreasesIt) {
   }
   EXPECT_GT(apart, cases / 5);
   EXPECT_LT(apart, 4 * cases / 5 + 1);
+}
+
+/// Also where the distance, rounded, is more.
+TEST(SignedDistance, IsPositiveOnlyBeyondTheMargin) {
+  const int cases = scaledCount(3000);
+  int within = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon a({anyConvex(random, 1)}), b({anyConvex(random, 1)});
+    const Pose pose_a = randomPose(random, 9), pose_b = randomPose(random, 9);
+    DistanceOptions options;
+    options.margin = nudged(distance(a, pose_a, b, pose_b).distance, -1);
+    if (!(options.margin > 0)) continue;
+    const bool is_within = collide(a, pose_a, b, pose_b, {options.margin});
+    within += is_within;
+    ASSERT_EQ(signedDistance(a, pose_a, b, pose_b, options).distance <= 0, is_within) << i;
+  }
+  EXPECT_GT(within, cases / 50);
+  EXPECT_LT(within, cases / 2);
 }
 
 TEST(SignedDistance, AllowsErrors) {
