@@ -21,12 +21,22 @@ struct Query {
 };
 
 constexpr Query kQueries[] = {
-    {"cache", soakCache},       {"collide", soakCollide},     {"conflicts", soakConflicts},
-    {"contacts", soakContacts}, {"crossings", soakCrossings}, {"distance", soakDistance},
-    {"impact", soakImpact},     {"locate", soakLocate},       {"penetration", soakPenetration},
-    {"ray", soakRay},           {"scene", soakScene},         {"touching", soakTouching},
+    {"cache", soakCache},
+    {"collide", soakCollide},
+    {"conflicts", soakConflicts},
+    {"contacts", soakContacts},
+    {"covers", soakCovers},
+    {"crossings", soakCrossings},
+    {"distance", soakDistance},
+    {"impact", soakImpact},
+    {"locate", soakLocate},
+    {"penetration", soakPenetration},
+    {"ray", soakRay},
+    {"scene", soakScene},
+    {"touching", soakTouching},
 #ifdef TRICOVER_SOAK_FCL
-    {"fcl", soakFcl},           {"round", soakRound},
+    {"fcl", soakFcl},
+    {"round", soakRound},
 #endif
 };
 

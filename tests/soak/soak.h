@@ -53,6 +53,7 @@ void soakCache(Run& run);
 void soakCollide(Run& run);
 void soakConflicts(Run& run);
 void soakContacts(Run& run);
+void soakCovers(Run& run);
 void soakCrossings(Run& run);
 void soakDistance(Run& run);
 void soakImpact(Run& run);

@@ -63,6 +63,7 @@ class Plane {
   }
 
   bool isCovered() const {
+    if (hasGap(std::vector<int>(fills_.size()))) return false;  // far away
     for (const Edge& e : edges_) {
       if (e.of != 0) continue;
       for (const Point& p : middlesOf(e))
@@ -81,7 +82,11 @@ class Plane {
   /// Whether a boundary of the union is nearer to the part's edges.
   bool hasBoundaryWithin(const mpq_class& margin) const {
     for (const Edge& e : edges_) {
-      if (e.of == 0 || e.v == e.w) continue;
+      if (e.of == 0) continue;
+      if (e.v == e.w) {
+        if (isNear(e, margin) && !isOnAnother(e)) return true;
+        continue;
+      }
       const std::vector<mpq_class> cuts = cutsOf(e);
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const Edge piece{between(e.v, e.w, cuts[i]), between(e.v, e.w, cuts[i + 1]), e.of};
@@ -103,27 +108,45 @@ class Plane {
         edges_.push_back({{at(v, 0), at(v, 1)}, {at(w, 0), at(w, 1)}, fills_.size()});
       }
     }
-    fills_.push_back(polygon.fillRule());
+    fills_.push_back({polygon.fillRule(), polygon.isComplement()});
   }
 
   bool isFilled(std::size_t of, int winding) const {
-    return fills_[of] == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+    const bool is_wound = fills_[of].rule == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+    return is_wound != fills_[of].is_complement;
+  }
+  /// Whether the part is filled where nothing else is.
+  bool hasGap(const std::vector<int>& windings) const {
+    if (!isFilled(0, windings[0])) return false;
+    for (std::size_t of = 1; of < fills_.size(); ++of)
+      if (isFilled(of, windings[of])) return false;
+    return true;
   }
 
-  bool isIn(const Point& p, std::size_t of) const {
+  int windingAround(const Point& p, std::size_t of) const {
     int winding = 0;
     for (const Edge& e : edges_) {
       if (e.of != of) continue;
-      if (isOn(p, e)) return true;
       if (e.v.y <= p.y && p.y < e.w.y && area(e.v, e.w, p) > 0) ++winding;
       if (e.w.y <= p.y && p.y < e.v.y && area(e.v, e.w, p) < 0) --winding;
     }
-    return isFilled(of, winding);
+    return winding;
+  }
+  bool isIn(const Point& p, std::size_t of) const {
+    const auto holds = [&](const Edge& e) { return e.of == of && isOn(p, e); };
+    return std::any_of(edges_.begin(), edges_.end(), holds) || isFilled(of, windingAround(p, of));
   }
   bool isInUnion(const Point& p) const {
     for (std::size_t of = 1; of < fills_.size(); ++of)
       if (isIn(p, of)) return true;
     return false;
+  }
+  /// Whether the union has more around an edge without length than points.
+  bool isOnAnother(const Edge& point) const {
+    for (std::size_t of = 1; of < fills_.size(); ++of)
+      if (isFilled(of, windingAround(point.v, of))) return true;
+    return std::any_of(edges_.begin(), edges_.end(),
+                       [&](const Edge& e) { return e.of != 0 && !(e.v == e.w) && isOn(point.v, e); });
   }
 
   /// Where on an edge others meet it, from 0 to 1, sorted.
@@ -154,8 +177,7 @@ class Plane {
     return middles;
   }
 
-  /// Whether on the vertical through x, which meets no vertex and no crossing, the part is filled where nothing else
-  /// is.
+  /// On the vertical through x, which meets no vertex and no crossing.
   bool isCoveredAt(const mpq_class& x) const {
     struct Step {
       mpq_class y;
@@ -171,10 +193,7 @@ class Plane {
     std::vector<int> windings(fills_.size());
     for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
       windings[steps[i].of] += steps[i].turn;
-      if (steps[i].y == steps[i + 1].y || !isFilled(0, windings[0])) continue;
-      bool is_filled = false;
-      for (std::size_t of = 1; of < fills_.size(); ++of) is_filled |= isFilled(of, windings[of]);
-      if (!is_filled) return false;
+      if (steps[i].y != steps[i + 1].y && hasGap(windings)) return false;
     }
     return true;
   }
@@ -199,8 +218,12 @@ class Plane {
     return false;
   }
 
+  struct Fill {
+    FillRule rule;
+    bool is_complement;
+  };
   std::vector<Edge> edges_;
-  std::vector<FillRule> fills_;
+  std::vector<Fill> fills_;
 };
 
 }  // namespace
