@@ -2,23 +2,10 @@
 // Part of tricover_plain_double and of tricover_plain_float, where `tricover` is a macro for that name.
 #include "plain_core.h"
 
-#include <stdexcept>
-
 #include "measure.h"
 #include "tricover/collide.h"
-#include "tricover/contacts.h"
-#include "tricover/penetration.h"
 
 namespace tricover {
-
-// Negative margins ask these of rooms that are not part of the plain kernel.
-std::vector<Contact> contacts(const Polygon&, const Pose&, const Polygon&, const Pose&, const ContactOptions&) {
-  throw std::logic_error("plain signs have no contacts");
-}
-std::optional<Penetration> penetration(const Polygon&, const Pose&, const Polygon&, const Pose&,
-                                       const PenetrationOptions&) {
-  throw std::logic_error("plain signs have no penetrations");
-}
 
 PlainWalk plainWalk(const PlainRings& fixed, const PlainRings& moving, const Pose& fixed_pose) {
   return [a = Polygon(fixed), b = Polygon(moving), fixed_pose](const Pose* poses, std::size_t positions,
