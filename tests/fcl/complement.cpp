@@ -4,13 +4,20 @@
 #include <fcl/broadphase/broadphase_bruteforce.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/cone.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/ellipsoid.h>
+#include <fcl/geometry/shape/halfspace.h>
+#include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/motion/translation_motion.h>
 
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "ask.h"
@@ -72,12 +79,66 @@ TEST(Complement, distancesContactsAndImpacts) {
 TEST(Complement, besideOtherGeometries) {
   const Shape<double> outside = shapeOf(kRoom.complement());
   const fcl::Sphered ball(0.5);
-  const fcl::Boxd box(1, 1, 1);
   const auto still = lifted(0, 0, 0);
   EXPECT_FALSE(meet<double>(*outside, still, ball, lifted(0, 4.4, 0)));
   EXPECT_TRUE(meet<double>(*outside, still, ball, lifted(0, 4.6, 0)));
   EXPECT_TRUE(meet<double>(*outside, still, ball, lifted(0, 1e9, 0)));
-  EXPECT_THROW(collides<double>(*outside, still, box, lifted(0, 1, 0)), std::logic_error);
+  const auto contacts = contactsOf(*outside, still, ball, lifted(0, 4.6, 0), 4);
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_NEAR(contacts[0].penetration_depth, 0.1, 1e-12);
+  EXPECT_NEAR(contacts[0].normal.x(), -1, 1e-12);
+  fcl::CollisionRequestd request(1, false, 4, true);
+  fcl::CollisionResultd result;
+  fcl::collide<double>(outside.get(), still, &ball, lifted(0, 4.6, 0), request, result);
+  EXPECT_EQ(result.numCostSources(), 1u);
+}
+
+/// Every geometry that has no exact region in the plane is refused by its name, in all queries, with what to do.
+TEST(Complement, namesTheGeometriesThatItDoesNotMeet) {
+  const Shape<double> outside = shapeOf(kRoom.complement());
+  const auto still = lifted(0, 0, 0), here = lifted(0, 1, 0);
+  const auto tilted = [&] {
+    fcl::Transform3d pose = here;
+    pose.linear() = fcl::AngleAxis<double>(1, fcl::Vector3d::UnitX()).toRotationMatrix();
+    return pose;
+  }();
+  const fcl::Boxd box(1, 1, 1);
+  const fcl::Coned cone(1, 1);
+  const fcl::Ellipsoidd ellipsoid(1, 1, 1);
+  const fcl::Halfspaced halfspace(fcl::Vector3d(0, 1, 0), 0);
+  const fcl::Planed plane(fcl::Vector3d(0, 1, 0), 0);
+  const fcl::Cylinderd cylinder(1, 1);
+  const fcl::Sphered ball(0.5);
+  fcl::BVHModel<fcl::OBBRSSd> mesh;
+  mesh.beginModel();
+  mesh.addTriangle({0, 0, -1}, {1, 0, 0}, {0, 1, 1});
+  mesh.endModel();
+  struct Case {
+    const fcl::CollisionGeometryd& other;
+    fcl::Transform3d pose;
+    const char* name;
+  };
+  const Case cases[] = {{box, here, "fcl::Box<double>"},        {cone, here, "fcl::Cone<double>"},
+                        {ellipsoid, here, "fcl::Ellipsoid<"},   {halfspace, here, "fcl::Halfspace<double>"},
+                        {plane, here, "fcl::Plane<double>"},    {cylinder, tilted, "fcl::Cylinder<double>"},
+                        {mesh, here, "fcl::BVHModel<fcl::OBB"}, {ball, lifted(0, 1, 0, 3), "fcl::Sphere<double>"}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const auto expectRefused = [&](const auto& query) {
+      const std::string text = thrownBy<std::logic_error>(query);
+      EXPECT_NE(text.find(std::string("a complement does not meet ") + c.name), std::string::npos) << text;
+      EXPECT_NE(text.find("make the other geometry a PolygonShape"), std::string::npos) << text;
+    };
+    expectRefused([&] { distanceOf<double>(fcl::GST_LIBCCD, false, *outside, still, c.other, c.pose); });
+    if (&c.other == &ball) continue;  // above it: the two do not collide, but how far are they?
+    for (const bool swaps : {false, true})
+      expectRefused([&] {
+        swaps ? collides<double>(c.other, c.pose, *outside, still) : collides<double>(*outside, still, c.other, c.pose);
+      });
+    const fcl::TranslationMotiond rests(still, still), comes(c.pose, c.pose);
+    fcl::ContinuousCollisionResultd result;
+    expectRefused([&] { fcl::continuousCollide(outside.get(), &rests, &c.other, &comes, advancing(1e-6), result); });
+  }
 }
 
 /// As many pairs as brute force sees.

@@ -10,6 +10,7 @@
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -221,6 +222,96 @@ TEST(TrajectoryMotion, IsCutAndRestsByTheClock) {
   EXPECT_EQ(ask(19, 40).time_of_contact, 0);
   EXPECT_FALSE(ask(22, 40).is_collide);
   EXPECT_FALSE(ask(50, 60).is_collide);
+}
+
+/// FCL's answer is that of the core, whatever the order of the two and however often it is asked.
+TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
+  const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
+  const fcl::Sphered ball(0.5);
+  const auto still = [](double begin, double end, double x = 0) {
+    return tricover::Trajectory({{begin, end, tricover::Motion::still(tricover::support::pose(0, x, 0))}});
+  };
+  const auto ask = [&](const tricover::Trajectory& a, bool a_is_absent, const tricover::Trajectory& b, bool b_is_absent,
+                       double begin = 0, double end = 20) {
+    const TrajectoryMotiond motion_a(a, begin, end, 0, a_is_absent), motion_b(b, begin, end, 0, b_is_absent);
+    const auto result = along(*square, motion_a, *square, motion_b);
+    for (int again = 0; again < 2; ++again) {
+      EXPECT_EQ(along(*square, motion_b, *square, motion_a).time_of_contact, result.time_of_contact);
+      EXPECT_NEAR(along(*square, motion_a, ball, motion_b).time_of_contact, result.time_of_contact, 2 * kError);
+    }
+    EXPECT_TRUE(result.is_collide || result.time_of_contact == 1);
+    return result.is_collide ? motion_a.clockAt(result.time_of_contact) : -1;
+  };
+  const auto first = still(0, 10), second = still(11, 20), late = still(9, 20), after = still(30, 40);
+  EXPECT_EQ(ask(first, false, second, false), 0);
+  EXPECT_EQ(ask(first, true, second, true), -1);
+  EXPECT_EQ(ask(first, false, second, true), 11);
+  EXPECT_EQ(ask(first, true, second, false), 0);
+  EXPECT_EQ(ask(first, true, late, true), 9);
+  EXPECT_EQ(ask(first, true, still(10, 20), true), -1);  // at one time alone
+  EXPECT_EQ(ask(first, true, first, true, 10, 20), -1);  // likewise, with FCL
+  EXPECT_EQ(ask(first, true, first, true, 9, 20), 9);
+  EXPECT_EQ(ask(after, true, after, true), -1);  // both are never there
+  EXPECT_EQ(ask(after, true, first, true), -1);
+  EXPECT_EQ(ask(after, true, first, false), -1);
+  EXPECT_EQ(ask(after, false, first, true), 0);
+  EXPECT_EQ(ask(after, true, after, true, 0, 35), 30);
+  // It comes to the other one's place at the end, when that one is gone.
+  const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
+  const tricover::Trajectory comes = tricover::Trajectory::through({{0, here(-19)}, {20, here(-1)}});
+  EXPECT_EQ(ask(first, true, comes, true), -1);
+  EXPECT_NEAR(ask(still(5, 20), true, comes, true), 20, 20 * kError);
+  // As legs; absent for a part of the time, beside a motion of the user's own and a half-space.
+  const auto stays = std::make_shared<fcl::TranslationMotiond>(lifted(0, 0, 0), lifted(0, 0, 0));
+  const Slide falls(lifted(0, 0, 10), {0, -20, 0});
+  const auto fallsOn = [&](double begin, double end) {
+    const TrajectoryMotiond motion(std::vector<TimedMotion<double>>{{begin, end, stays}}, 0, 1, true);
+    return along(*square, motion, *square, falls);
+  };
+  EXPECT_NEAR(fallsOn(-1, 2).time_of_contact, 0.45, 1e-6);
+  EXPECT_NEAR(fallsOn(0.5, 0.6).time_of_contact, 0.5, 1e-6);
+  EXPECT_FALSE(fallsOn(0, 0.4).is_collide);
+  EXPECT_FALSE(fallsOn(0.6, 1).is_collide);
+  EXPECT_FALSE(fallsOn(2, 3).is_collide);
+  const fcl::Halfspaced below(fcl::Vector3d(1, 0, 0), -5);
+  const fcl::TranslationMotiond rests(fcl::Transform3d::Identity(), fcl::Transform3d::Identity());
+  EXPECT_EQ(along(*square, TrajectoryMotiond(comes, -20, 20, 0, true), below, rests).time_of_contact, 0.5);
+  EXPECT_FALSE(along(*square, TrajectoryMotiond(comes, 17, 40, 0, true), below, rests).is_collide);
+}
+
+/// The first contact is that of the two along the time at which both are there, on which they never rest.
+TEST(TrajectoryMotion, FindsTheFirstContactOfBodiesThatComeAndGo) {
+  Random random(75);
+  int hits = 0, later = 0, never = 0;
+  const int count = scaledCount(300);
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE(i);
+    const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
+    const tricover::Trajectory way_a = randomTrajectory(random, 3), way_b = randomTrajectory(random, 3);
+    const double begin = random.real(-6, 6), end = begin + random.real(0.5, 10);
+    const TrajectoryMotiond motion_a(way_a, begin, end, 0, true), motion_b(way_b, begin, end, 0, true);
+    const auto result = along(*a, motion_a, *b, motion_b);
+    const double from = std::max({begin, way_a.begin(), way_b.begin()}),
+                 until = std::min({end, way_a.end(), way_b.end()});
+    if (!(from < until)) {
+      ++never;
+      ASSERT_FALSE(result.is_collide);
+      continue;
+    }
+    const TrajectoryMotiond cut_a(way_a, from, until), cut_b(way_b, from, until);
+    const auto expected = along(*a, cut_a, *b, cut_b);
+    ASSERT_EQ(result.is_collide, expected.is_collide);
+    if (!result.is_collide) continue;
+    ASSERT_NEAR(motion_a.clockAt(result.time_of_contact), cut_a.clockAt(expected.time_of_contact),
+                2 * kError * (end - begin));
+    ASSERT_GE(motion_a.clockAt(result.time_of_contact), from - 1e-12);
+    ++hits;
+    later += expected.time_of_contact > 0;
+  }
+  EXPECT_GT(never, count / 20);
+  EXPECT_GT(hits, count / 5);
+  EXPECT_LT(hits, count * 4 / 5);
+  EXPECT_GT(later, hits / 4);
 }
 
 TEST(TrajectoryMotion, WorksForFloatAndForObjectsWithMotions) {

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// FCL's functions that read its tables: an instantiation or, after `extern`, a declaration of one in another file.
+#define TRICOVER_COLLIDE(S, Solver)                                                                            \
+  template std::size_t collide(const CollisionGeometry<S>*, const Transform3<S>&, const CollisionGeometry<S>*, \
+                               const Transform3<S>&, const Solver<S>*, const CollisionRequest<S>&,             \
+                               CollisionResult<S>&)
+#define TRICOVER_ADVANCE(S, Solver)                                                                         \
+  template S continuousCollideConservativeAdvancement(                                                      \
+      const CollisionGeometry<S>*, const MotionBase<S>*, const CollisionGeometry<S>*, const MotionBase<S>*, \
+      const Solver<S>*, const ContinuousCollisionRequest<S>&, ContinuousCollisionResult<S>&)
+
 namespace tricover_fcl {
 
 /// They put our rows into FCL's function tables of both solvers. A table costs its compiler half a minute and a
@@ -13,5 +23,13 @@ template <typename S>
 void fillDistanceTables();
 template <typename S>
 void fillAdvancementTables();
+
+template <typename S>
+bool fillTables() {
+  fillCollisionTables<S>();
+  fillDistanceTables<S>();
+  fillAdvancementTables<S>();
+  return true;
+}
 
 }  // namespace tricover_fcl

@@ -8,22 +8,9 @@ namespace fcl {
 template std::size_t collide(const CollisionGeometry<float>*, const Transform3<float>&, const CollisionGeometry<float>*,
                              const Transform3<float>&, const CollisionRequest<float>&, CollisionResult<float>&);
 
-#define TRICOVER_INSTANTIATE(Solver)                                                                     \
-  template std::size_t collide(const CollisionGeometry<float>*, const Transform3<float>&,                \
-                               const CollisionGeometry<float>*, const Transform3<float>&, const Solver*, \
-                               const CollisionRequest<float>&, CollisionResult<float>&);
-TRICOVER_INSTANTIATE(detail::GJKSolver_libccd<float>)
-TRICOVER_INSTANTIATE(detail::GJKSolver_indep<float>)
-#undef TRICOVER_INSTANTIATE
+TRICOVER_COLLIDE(float, detail::GJKSolver_libccd);
+TRICOVER_COLLIDE(float, detail::GJKSolver_indep);
 
 }  // namespace fcl
 
-namespace tricover_fcl {
-
-template <>
-void fillCollisionTables<float>() {
-  fillCollisionTable<fcl::detail::GJKSolver_libccd<float>>();
-  fillCollisionTable<fcl::detail::GJKSolver_indep<float>>();
-}
-
-}  // namespace tricover_fcl
+template void tricover_fcl::fillCollisionTables<float>();

@@ -8,12 +8,7 @@ namespace tricover_fcl {
 template <>
 detail::FilledTables<float> detail::filledTables(const FclLayout& seen) {
   checkFclLayout(seen);
-  static const bool filled = [] {  // by one thread, the others wait
-    fillCollisionTables<float>();
-    fillDistanceTables<float>();
-    fillAdvancementTables<float>();
-    return true;
-  }();
+  static const bool filled = fillTables<float>();  // by one thread, the others wait
   static_cast<void>(filled);
   return {};
 }

@@ -69,13 +69,6 @@ std::string unreachedEntryPoint() {
   return {};
 }
 
-bool fillOnce() {
-  fillCollisionTables<double>();
-  fillDistanceTables<double>();
-  fillAdvancementTables<double>();
-  return true;
-}
-
 bool registerOnce() {
   const std::string unreached = unreachedEntryPoint();
   if (!unreached.empty()) {
@@ -95,7 +88,7 @@ bool registerOnce() {
 template <>
 detail::FilledTables<double> detail::filledTables(const FclLayout& seen) {
   checkFclLayout(seen);
-  static const bool filled = fillOnce();  // by one thread, the others wait
+  static const bool filled = fillTables<double>();  // by one thread, the others wait
   static_cast<void>(filled);
   return {};
 }

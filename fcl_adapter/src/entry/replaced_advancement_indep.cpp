@@ -2,8 +2,7 @@
 #include "entry/table_rows.h"
 
 // As replaced_advancement.cpp, for the other solver.
-template double fcl::detail::continuousCollideConservativeAdvancement(
-    const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*,
-    const MotionBase<double>*, const GJKSolver_indep<double>*, const ContinuousCollisionRequest<double>&,
-    ContinuousCollisionResult<double>&);
+namespace fcl::detail {
+TRICOVER_ADVANCE(double, GJKSolver_indep);
+}
 template void tricover_fcl::fillAdvancementTable<fcl::detail::GJKSolver_indep<double>>();

@@ -7,22 +7,9 @@
 // rows and ours.
 namespace fcl {
 
-#define TRICOVER_INSTANTIATE(Solver)                                                                       \
-  template std::size_t collide(const CollisionGeometry<double>*, const Transform3<double>&,                \
-                               const CollisionGeometry<double>*, const Transform3<double>&, const Solver*, \
-                               const CollisionRequest<double>&, CollisionResult<double>&);
-TRICOVER_INSTANTIATE(detail::GJKSolver_libccd<double>)
-TRICOVER_INSTANTIATE(detail::GJKSolver_indep<double>)
-#undef TRICOVER_INSTANTIATE
+TRICOVER_COLLIDE(double, detail::GJKSolver_libccd);
+TRICOVER_COLLIDE(double, detail::GJKSolver_indep);
 
 }  // namespace fcl
 
-namespace tricover_fcl {
-
-template <>
-void fillCollisionTables<double>() {
-  fillCollisionTable<fcl::detail::GJKSolver_libccd<double>>();
-  fillCollisionTable<fcl::detail::GJKSolver_indep<double>>();
-}
-
-}  // namespace tricover_fcl
+template void tricover_fcl::fillCollisionTables<double>();

@@ -34,6 +34,7 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Tran
 
 #include <iostream>
 
+#include "entry/fill_tables.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
 #include "shape/motion_in_plane.h"
@@ -52,18 +53,9 @@ void requireSolver(fcl::CCDSolverType solver) {
 
 namespace fcl {
 
-// In replaced_advancement.cpp, with FCL's tables.
 namespace detail {
-
-#define TRICOVER_ELSEWHERE(Solver)                                                                   \
-  extern template double continuousCollideConservativeAdvancement(                                   \
-      const CollisionGeometry<double>*, const MotionBase<double>*, const CollisionGeometry<double>*, \
-      const MotionBase<double>*, const Solver*, const ContinuousCollisionRequest<double>&,           \
-      ContinuousCollisionResult<double>&);
-TRICOVER_ELSEWHERE(GJKSolver_libccd<double>)
-TRICOVER_ELSEWHERE(GJKSolver_indep<double>)
-#undef TRICOVER_ELSEWHERE
-
+extern TRICOVER_ADVANCE(double, GJKSolver_libccd);
+extern TRICOVER_ADVANCE(double, GJKSolver_indep);
 }  // namespace detail
 
 /// As FCL's own, but for motionBetween().

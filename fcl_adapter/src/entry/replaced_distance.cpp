@@ -12,12 +12,4 @@ template double distance(const CollisionGeometry<double>*, const Transform3<doub
 
 }  // namespace fcl
 
-namespace tricover_fcl {
-
-template <>
-void fillDistanceTables<double>() {
-  fillDistanceTable<fcl::detail::GJKSolver_libccd<double>>();
-  fillDistanceTable<fcl::detail::GJKSolver_indep<double>>();
-}
-
-}  // namespace tricover_fcl
+template void tricover_fcl::fillDistanceTables<double>();

@@ -12,15 +12,10 @@
 // FCL's distances and advancements ask collide, too: without this its tables would be instantiated with theirs.
 namespace fcl {
 
-#define TRICOVER_ELSEWHERE(S, Solver)                                                                                 \
-  extern template std::size_t collide(const CollisionGeometry<S>*, const Transform3<S>&, const CollisionGeometry<S>*, \
-                                      const Transform3<S>&, const Solver<S>*, const CollisionRequest<S>&,             \
-                                      CollisionResult<S>&);
-TRICOVER_ELSEWHERE(double, detail::GJKSolver_libccd)
-TRICOVER_ELSEWHERE(double, detail::GJKSolver_indep)
-TRICOVER_ELSEWHERE(float, detail::GJKSolver_libccd)
-TRICOVER_ELSEWHERE(float, detail::GJKSolver_indep)
-#undef TRICOVER_ELSEWHERE
+extern TRICOVER_COLLIDE(double, detail::GJKSolver_libccd);
+extern TRICOVER_COLLIDE(double, detail::GJKSolver_indep);
+extern TRICOVER_COLLIDE(float, detail::GJKSolver_libccd);
+extern TRICOVER_COLLIDE(float, detail::GJKSolver_indep);
 extern template std::size_t collide(const CollisionGeometry<float>*, const Transform3<float>&,
                                     const CollisionGeometry<float>*, const Transform3<float>&,
                                     const CollisionRequest<float>&, CollisionResult<float>&);
@@ -58,20 +53,32 @@ void fillRowAndColumn(Function (&matrix)[fcl::NODE_COUNT][fcl::NODE_COUNT], Func
   }
 }
 
-template <typename Solver>
-void fillCollisionTable() {
-  fillRowAndColumn(fcl::getCollisionFunctionLookTable<Solver>().collision_matrix, &collideRow<Solver>);
+template <typename S>
+void fillCollisionTables() {
+  using Ccd = fcl::detail::GJKSolver_libccd<S>;
+  using Indep = fcl::detail::GJKSolver_indep<S>;
+  fillRowAndColumn(fcl::getCollisionFunctionLookTable<Ccd>().collision_matrix, &collideRow<Ccd>);
+  fillRowAndColumn(fcl::getCollisionFunctionLookTable<Indep>().collision_matrix, &collideRow<Indep>);
 }
 
-template <typename Solver>
-void fillDistanceTable() {
-  fillRowAndColumn(fcl::getDistanceFunctionLookTable<Solver>().distance_matrix, &distanceRow<Solver>);
+template <typename S>
+void fillDistanceTables() {
+  using Ccd = fcl::detail::GJKSolver_libccd<S>;
+  using Indep = fcl::detail::GJKSolver_indep<S>;
+  fillRowAndColumn(fcl::getDistanceFunctionLookTable<Ccd>().distance_matrix, &distanceRow<Ccd>);
+  fillRowAndColumn(fcl::getDistanceFunctionLookTable<Indep>().distance_matrix, &distanceRow<Indep>);
 }
 
 template <typename Solver>
 void fillAdvancementTable() {
   fillRowAndColumn(fcl::getConservativeAdvancementFunctionLookTable<Solver>().conservative_advancement_matrix,
                    &advancementRow<Solver>);
+}
+
+template <typename S>
+void fillAdvancementTables() {
+  fillAdvancementTable<fcl::detail::GJKSolver_libccd<S>>();
+  fillAdvancementTable<fcl::detail::GJKSolver_indep<S>>();
 }
 
 }  // namespace tricover_fcl

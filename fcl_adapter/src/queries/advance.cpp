@@ -14,7 +14,7 @@
 namespace tricover_fcl {
 namespace {
 
-/// How a region goes on. `end` is FCL's own pose at time 1, of a polygon whose course is known.
+/// How a region goes on. `end` is FCL's own pose at time 1, of a polygon whose course is known and lasts so long.
 struct Mover {
   Course course;
   std::optional<tricover::Pose> end;
@@ -66,7 +66,8 @@ Mover movingPolygon(Region& region, const PolygonShape<S>& shape, const fcl::Mot
   Mover mover{carried({in_plane, {}, {}, {}}, start), {}};
   // FCL's own, rounded in its way; but without a turn its ScrewMotion doesn't end where it should.
   const tricover::Trajectory& known = *mover.course.known;
-  mover.end = onlyShifts(known.legs().back().motion) ? known.at(1) : planarPose(poseAt(motion, S(1)), name).pose;
+  if (known.end() == 1)
+    mover.end = onlyShifts(known.legs().back().motion) ? known.at(1) : planarPose(poseAt(motion, S(1)), name).pose;
   return mover;
 }
 
@@ -162,6 +163,7 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = regions.margin;
+    options.absent_outside = true;
     time = firstContact<S>(a, pair.a.course, b, pair.b.course, options);
     if (!time && pair.a.end && pair.b.end && tricover::collide(a, *pair.a.end, b, *pair.b.end, {options.margin}))
       time = 1;

@@ -152,8 +152,9 @@ template <typename S>
   PlanarPair pair;
   const bool is_stadium = placeMixed(pair, "collide", both, !request.enable_contact);
   if (pair.apart > 0 || !pair.collide()) return result.numContacts();
-  // Discs and stadiums have boxes, and several contacts, by their outlines.
-  if (is_stadium && (wantsCosts(o1, o2, request) || (request.enable_contact && request.num_max_contacts != 1)))
+  // Discs and stadiums have boxes, and several contacts, by their outlines, which no complement meets.
+  if (is_stadium && !both.polygon().polygon().isComplement() &&
+      (wantsCosts(o1, o2, request) || (request.enable_contact && request.num_max_contacts != 1)))
     placeShadow(pair, both, false, !request.enable_contact);
   report(pair, o1, o2, request, result, margin);
   return result.numContacts();

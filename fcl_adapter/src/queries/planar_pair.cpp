@@ -141,8 +141,11 @@ bool placeShadow(PlanarPair& pair, const MixedGeometries<S>& both, bool at_all_h
   placeInOwnFrame(pair, both);
   const Region& polygon = pair.of(both.polygon_first);
   if (polygon.polygon->isComplement())
-    refuseQuestion("polygon", "a complement is asked beside polygons, spheres, cylinders and capsules alone",
-                   "make the other geometry a PolygonShape");
+    refuseQuestion(
+        "polygon",
+        "a complement does not meet " + className(typeid(both.other())) +
+            ": it meets polygons, and at its heights spheres, cylinders that stand, capsules that stand or lie",
+        "make the other geometry a PolygonShape");
   pair.margin = both.more + polygon.margin;
   pair.place_a = pair.place_b = nullptr;
   const Slab slab = at_all_heights ? Slab{-kInfinity, kInfinity} : polygon.heights.of_shape;

@@ -315,6 +315,8 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
 template <typename S>
 std::optional<double> firstContact(const Polygon& a, const Course& course_a, const Polygon& b, const Course& course_b,
                                    const tricover::ImpactOptions& options) {
+  for (const Course* course : {&course_a, &course_b})
+    if (course->known && course->known->begin() > 1) return std::nullopt;  // never there
   if (course_a.known && course_b.known) {
     const auto impact = tricover::timeOfImpact(a, *course_a.known, b, *course_b.known, options);
     return impact ? std::optional<double>(impact->time) : std::nullopt;

@@ -16,7 +16,8 @@ namespace tricover_fcl {
 
 /// How a body moves in the plane.
 struct Course {
-  /// All of it, from time 0 to 1, where that is known. Otherwise the functions are there, which ask the motion.
+  /// All of it, from time 0 to 1, where that is known: the body is absent before it begins and after it ends. Otherwise
+  /// the functions are there, which ask the motion.
   std::optional<tricover::Trajectory> known;
   std::function<tricover::Pose(double time)> pose;
   std::function<double(double time)> speed;  ///< bounds that of every point of the body from `time` to 1
@@ -33,7 +34,8 @@ template <typename S>
 Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& box, const Plane& plane,
                  const Plane& body, const char* name);
 
-/// The time of the first contact, as tricover::timeOfImpact means it, by that function where both courses are known.
+/// The time of the first contact, as tricover::timeOfImpact means it, by that function where both courses are known,
+/// with options that say `absent_outside`.
 /// Otherwise by conservative advancement: while the two are d apart and neither point is faster than v against the
 /// other, there is no contact within d / v; nor while an edge's line, or the nearest points', separates them, which
 /// each part of both comes to by its own speed along the normal. (Poses are taken to stay as rigid as they are.) Coming

@@ -17,22 +17,25 @@ namespace {
 using tricover::Leg;
 using tricover::Trajectory;
 
-/// What of it is from `begin` to `end`, which are its times 0 and 1.
-Trajectory fromZeroToOne(const Trajectory& trajectory, double begin, double end) {
+/// What of it is from `begin` to `end`, which are its times 0 and 1. Without the rests before and after it if its body
+/// is absent then; a body that is never there until time 1 gets a leg after that.
+Trajectory fromZeroToOne(const Trajectory& trajectory, double begin, double end, bool absent_outside) {
   const double length = end - begin;
   if (!(length > 0 && std::isfinite(length))) refuse("end", "it must be after begin, both finite");
-  std::vector<double> times = {begin, end};
-  times.push_back(trajectory.begin());
+  const double until = absent_outside ? std::min(end, trajectory.end()) : end;
+  double from = absent_outside ? std::max(begin, trajectory.begin()) : begin;
+  std::vector<double> times = {until, trajectory.begin()};
   for (const Leg& leg : trajectory.legs()) times.push_back(leg.end);
   std::sort(times.begin(), times.end());
   std::vector<Leg> legs;
-  double from = begin, begins = 0;
+  double begins = (from - begin) / length;
   for (const double time : times) {
-    if (time <= begin || time > end) continue;
+    if (time <= from || time > until) continue;
     const double ends = time == end ? 1 : (time - begin) / length;
     if (ends > begins) legs.push_back({begins, ends, trajectory.part(from, time)});  // or for FCL it takes no time
     from = time, begins = ends;
   }
+  if (legs.empty()) legs.push_back({2, 3, tricover::Motion::still(trajectory.at(begin))});
   return Trajectory(std::move(legs));
 }
 
@@ -68,14 +71,19 @@ Trajectory trajectoryOf(const std::vector<TimedMotion<S>>& timed, double& z) {
 }  // namespace
 
 template <typename S>
-TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z)
-    : begin_(begin), length_(end - begin), z_(z), trajectory_(fromZeroToOne(trajectory, begin, end)) {
+TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z,
+                                      bool absent_outside)
+    : begin_(begin), length_(end - begin), z_(z), trajectory_(fromZeroToOne(trajectory, begin, end, absent_outside)) {
   if (!std::isfinite(z)) refuse("z", "it is not finite");
 }
 
 template <typename S>
-TrajectoryMotion<S>::TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end)
-    : begin_(begin), length_(end - begin), z_(0), trajectory_(fromZeroToOne(trajectoryOf(legs, z_), begin, end)) {}
+TrajectoryMotion<S>::TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end,
+                                      bool absent_outside)
+    : begin_(begin),
+      length_(end - begin),
+      z_(0),
+      trajectory_(fromZeroToOne(trajectoryOf(legs, z_), begin, end, absent_outside)) {}
 
 template <typename S>
 bool TrajectoryMotion<S>::integrate(S time) const {
