@@ -178,22 +178,20 @@ SceneState::Finding SceneState::look(Pair& pair) {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
   if (!mayMeet(p, q) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false};
   const double pace = p.step + q.step;
-  CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
-  const bool may_overlap = options.margin < 0;
-  if (may_overlap) options = {};
+  const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
+  // A certificate says nothing of depths.
+  const CollideOptions certified = options.margin < 0 ? CollideOptions{} : options;
   Outcome found = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
-        return findCertificate(operands..., options, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
+        return findCertificate(operands..., certified, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const Outcome&) {});
-  if (may_overlap && found.collides) {
-    // A certificate says nothing of depths.
-    options = withBody({p.options.margin, 0, p.options.touching}, q.options);
+  double room = found.collides ? found.clearance : roundedDown<1>(found.clearance - certified.margin);
+  if (options.margin < 0 && found.collides) {
     found.collides = collide(p.polygon, p.pose, q.polygon, q.pose, options);
-    found.clearance = 0;
+    room = 0;
   }
-  const double room = found.collides ? found.clearance : roundedDown<1>(found.clearance - options.margin);
   pair.edge[0] = found.edge_a;
   pair.edge[1] = found.edge_b;
   schedule(pair, std::max(room, 0.0));

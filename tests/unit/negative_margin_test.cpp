@@ -2,11 +2,14 @@
 // A negative margin allows an overlap: regions collide where they are deeper in each other than that.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "random.h"
 #include "shapes.h"
+#include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/contacts.h"
@@ -312,6 +315,50 @@ TEST(NegativeMargin, InScenes) {
   // Distances and rays take a negative sum for none.
   EXPECT_EQ(scene.nearest(kCrate, at(-2, 3), {}, BodyFilter::allBut(room))->result.distance, 1);
   EXPECT_EQ(scene.castRay({-2, 3}, {-2, 0})->body, crate);
+}
+
+/// A scene's collisions are those that collide() finds after every move, however short: no certificate outlasts an
+/// overlap that is allowed.
+TEST(NegativeMargin, CollisionsOfASceneKeepUpWithMoves) {
+  Random random(7);
+  int pairs_met = 0, pairs_deep = 0, changes = 0;
+  for (int run = 0; run < scaledCount(40); ++run) {
+    Scene scene;
+    std::vector<Scene::Body> bodies;
+    std::vector<Vec2> drift;
+    for (int i = 0; i < 6; ++i) {
+      BodyOptions options;
+      options.margin = random.oneIn(3) ? 0 : -random.real(0, 0.2);
+      bodies.push_back(scene.add(Polygon(star(random, 7, 0.4, 1)), randomPose(random, 1), options));
+      drift.emplace_back(random.real(-0.02, 0.02), random.real(-0.02, 0.02));
+    }
+    std::vector<BodyPair> before;
+    for (int step = 0; step < 40; ++step) {
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        Pose pose = scene.pose(bodies[i]);
+        pose.translation() += drift[i];
+        if (i % 2 == 0 || step % 3 == 0) scene.move(bodies[i], pose);
+      }
+      std::vector<BodyPair> expected;
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+          const auto &p = bodies[i], &q = bodies[j];
+          const auto meet = [&](double margin) {
+            return collide(scene.polygon(p), scene.pose(p), scene.polygon(q), scene.pose(q), {margin});
+          };
+          const bool is_deep = meet(scene.options(p).margin + scene.options(q).margin);
+          if (is_deep) expected.push_back({std::min(p, q), std::max(p, q)});
+          pairs_met += meet(0), pairs_deep += is_deep;
+        }
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(scene.collisions(), expected) << "run " << run << ", step " << step;
+      changes += expected != before;
+      before = expected;
+    }
+  }
+  EXPECT_GT(pairs_deep, pairs_met / 4);
+  EXPECT_LT(pairs_deep, pairs_met * 9 / 10);
+  EXPECT_GT(changes, scaledCount(40));
 }
 
 TEST(NegativeMargin, PosesOffRigidTheTinyAndTheHuge) {
