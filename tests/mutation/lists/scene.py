@@ -16,7 +16,7 @@ MUTATIONS = [
     ("src/scene/moves.cpp", "if (moves[i].what == Moving::IsDue) due.push_back(moves[i].body);", "", "scene: bodies that move in their boxes aren't due"),
     ("src/scene/moves.cpp", "if (std::exchange(tenancies[move.body].batch, batch) == batch) move.what = Moving::Later;", "tenancies[move.body].batch = batch;", "scene: a body's second move may come before its first"),
     ("src/scene/moves.cpp", "    moveTheRest();\n    throw;\n", "    throw;\n", "scene: what was moved when the user's threads failed is forgotten"),
-    ("src/scene/scene_state.cpp", "found.collides ? found.clearance : roundedDown<1>(found.clearance - options.margin)", "found.clearance", "scene: certificates forget margins"),
+    ("src/scene/scene_state.cpp", "found.collides ? found.clearance : roundedDown<1>(found.clearance - certified.margin)", "found.clearance", "scene: certificates forget margins"),
     ("src/scene/scene_state.cpp", "bodies[other].fresh && other <= body", "bodies[other].fresh", "scene: pairs of two bodies that are new found by neither"),
     ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
     ("src/scene/impacts.cpp", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
