@@ -26,9 +26,7 @@ Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, 
 }
 
 bool areWithin(const PosedVertices& pair, double margin) {
-  CollideOptions options;
-  options.margin = margin;
-  return collideByHierarchy(pair, options, 0, Wanted::Answer).collides;
+  return collideByHierarchy(pair, {margin}, 0, Wanted::Answer).collides;
 }
 
 /// What is left is above the limit, but what was found may be too large by rounding: whether the truth is within the

@@ -21,18 +21,11 @@ namespace {
 /// What the poses at two times are wrong by, and how far off rigid they may be, is far less than this share of lengths.
 constexpr double kSpared = 1 + 0x1p-10;
 
-/// How fast the points of a polygon move about its pivot at the most, from time 0 to 1.
-double speedAboutPivot(const PolygonData& polygon, const Motion& motion) {
-  const Vec2 arm = polygon.origin - motion.pivot;
-  return rotationOf(motion).mostRate(0, 1) * (std::hypot(arm.x(), arm.y()) + polygon.radius);
-}
-
-/// The most of a rate from time 0 to 1, without squares of lengths, which overflow.
-double mostRateOf(const Cubic<Vec2>& path) {
-  const auto along = [&](int axis) {
-    return Cubic<double>{path.first[axis], path.second[axis], path.third[axis]}.mostRate(0, 1);
-  };
-  return std::hypot(along(0), along(1));
+/// No point of one moves faster against the other one. (A reach may be infinite.)
+double mostSpeed(const MovingPair& pair) {
+  const Rates rates = pair.ratesOf(0, 1);
+  const auto about = [](double rate, const Mover& mover) { return rate > 0 ? rate * mover.reach : 0; };
+  return (rates.speed + about(rates.a, pair.a) + about(rates.b, pair.b)) * kSpared * pair.length * pair.expansion;
 }
 
 /// In the kernel's order, with trees.
@@ -59,32 +52,13 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ < 0 ? margin_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
-      speed_((mostRateOf(pathOf(motion_a) - pathOf(motion_b)) + speedAboutPivot(a.data(), motion_a) +
-              speedAboutPivot(b.data(), motion_b)) *
-             kSpared) {
+      speed_(mostSpeed(pair_)) {
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
 
 bool MovingContact::touchAt(double time) const {
   return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {touch_margin_, 0});
-}
-
-/// Whether they certainly touch throughout: by how deep they are in each other, or within the margin, at the first
-/// time, as no two points approach or separate by more than `travel`; or by features.
-bool MovingContact::meetUntil(double time, double next) const {
-  const double travel = speed_ * (next - time) * kSpared;
-  const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
-  if (margin_ < 0) return collide(a_, pose_a, b_, pose_b, {margin_ - travel, 0});
-  if (travel <= touch_margin_ && collide(a_, pose_a, b_, pose_b, {touch_margin_ - travel, 0})) return true;
-  const Outcome found = inKernelOrder(
-      a_.data(), pose_a, b_.data(), pose_b,
-      [&](const auto&... operands) {
-        return findCertificate(operands..., {0, 0}, {2 * travel, true});
-      },
-      [](const Outcome&) {});
-  if (found.collides && found.clearance + margin_ > travel) return true;
-  return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
 }
 
 /// The pair as it is asked, at a time.
@@ -94,15 +68,24 @@ struct MovingContact::Posed {
         pose_b(moving.b.motion->at(time)),
         pair(*moving.a.polygon, pose_a, *moving.b.polygon, pose_b) {}
   /// Two edges within the margin; one of them, or both, -1 where there are none.
-  Outcome edgesWithin(double margin) const {
-    CollideOptions options;
-    options.margin = margin;
-    return collideByHierarchy(pair, options, 0, Wanted::Edges);
-  }
+  Outcome edgesWithin(double margin) const { return collideByHierarchy(pair, {margin}, 0, Wanted::Edges); }
 
   const Pose pose_a, pose_b;
   const PosedPair pair;
 };
+
+/// Whether they certainly touch throughout: by how deep they are in each other, or within the margin, at the first
+/// time, as no two points approach or separate by more than `travel`; or by features.
+bool MovingContact::meetUntil(double time, double next) const {
+  const double travel = speed_ * (next - time) * kSpared;
+  if (margin_ < 0) return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {margin_ - travel, 0});
+  const Posed posed(pair_, time);
+  if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;
+  const Outcome found =
+      findCertificate(posed.pair.a, posed.pose_a, posed.pair.b, posed.pose_b, {0, 0}, {2 * travel, true});
+  if (found.collides && found.clearance + margin_ > travel) return true;
+  return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
+}
 
 /// Whether one holds the other, and goes on to: by the edges that come near, none of which meet.
 bool MovingContact::staysContained(double time, double next, double travel) const {
@@ -163,36 +146,36 @@ std::optional<Impact> MovingContact::next(double begin) const {
   return impact;
 }
 
-std::vector<Conflict> conflictsFrom(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
-                                    const ImpactOptions& options, bool& leaves_out) {
+void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double begin,
+                  double end, const ImpactOptions& clocks_options, bool& leaves_out, std::vector<Conflict>& all) {
+  const double length = end - begin;
+  const ImpactOptions options = optionsWithin(clocks_options, length);
   MovingContact contact(a, motion_a, b, motion_b, options);
-  std::vector<Conflict> found;
-  const auto lastsUntil = [&](const Impact& impact, const MovingContact::End& end) {
-    const double time = end.is_known ? end.time : 1;
-    if (found.empty() || impact.time > found.back().end) found.push_back({impact, time});
-    found.back().end = time;
-    found.back().budget_ended = !end.is_known;
-    return time;
+  const auto add = [&](Impact impact, const MovingContact::End& last) {
+    impact.time = timeWithin(begin, length, impact.time);
+    if (all.empty() || impact.time > all.back().end) all.push_back({impact, end});
+    all.back().end = last.is_known && last.time < 1 ? std::min(end, begin + length * last.time) : end;
+    all.back().budget_ended |= !last.is_known;
   };
   double time = 0;
   leaves_out = leaves_out && contact.touchAt(0);
   if (leaves_out) {
-    const auto end = contact.endOfContact(0);
-    time = end.time;
+    const auto last = contact.endOfContact(0);
+    time = last.time;
     leaves_out = time == 1;
     // Whether the first contact lasts is unknown.
-    if (!end.is_known) {
-      Impact impact = *timeOfImpact(a, motion_a, b, motion_b, {options.margin, options.time_error});
-      impact.time = end.time;
+    if (!last.is_known) {
+      Impact impact = *timeOfImpact(a, motion_a, b, motion_b, options);
+      impact.time = time;
       impact.budget_ended = true;
-      lastsUntil(impact, end);
-      return found;
+      return add(impact, last);
     }
   }
-  while (const auto impact = contact.next(time))
-    time =
-        lastsUntil(*impact, impact->budget_ended ? MovingContact::End{1, false} : contact.endOfContact(impact->time));
-  return found;
+  while (const auto impact = contact.next(time)) {
+    const auto last = impact->budget_ended ? MovingContact::End{1, false} : contact.endOfContact(impact->time);
+    add(*impact, last);
+    time = last.is_known ? last.time : 1;
+  }
 }
 
 }  // namespace detail
@@ -202,7 +185,9 @@ std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const 
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
   bool leaves_out = options.ignore_initial;
-  return detail::conflictsFrom(a, motion_a, b, motion_b, options, leaves_out);
+  std::vector<Conflict> all;
+  detail::addConflicts(a, motion_a, b, motion_b, 0, 1, options, leaves_out, all);
+  return all;
 }
 
 }  // namespace tricover

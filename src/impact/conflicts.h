@@ -48,10 +48,10 @@ class MovingContact {
   double speed_;                ///< no point of one moves faster against the other one
 };
 
-/// conflicts() of arguments that have been checked. If `leaves_out`, contact that lasts from the begin is left out;
-/// then that says whether it lasts to the end.
-std::vector<Conflict> conflictsFrom(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
-                                    const ImpactOptions& options, bool& leaves_out);
+/// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If
+/// `leaves_out`, contact that lasts from the begin is left out; then that says whether it lasts to the end.
+void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double begin,
+                  double end, const ImpactOptions& options, bool& leaves_out, std::vector<Conflict>& all);
 
 /// A trajectory, and whether its body is absent outside of its time.
 struct TimedBody {

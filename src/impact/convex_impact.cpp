@@ -151,7 +151,7 @@ class ConvexAdvancement {
     bool stale = true;  // whether the features are to be guessed anew
     for (int step = 0; step < kMostAdvances; ++step) {
       const bool fresh = stale;
-      const NearestPoints points = stale && !(areSmall() && guess()) ? walk() : nearest();
+      const NearestPoints points = stale && !(areSmall() && guess()) ? walk() : nearestNow();
       // Written so that NaN is a touch.
       if (!(points.distance > touch_distance_)) {
         if (time_ == 0) break;
@@ -166,7 +166,8 @@ class ConvexAdvancement {
       stale = !(gap_ >= 0.5 * points.distance);
       if (!apart && stale && fresh) apart = advance(interval, face_);
       if (apart && end == 1) return FirstContact::never();
-      if (!apart && time_ > before && end - time_ <= time_error_ && !(distanceAtEnd(interval) > touch_distance_))
+      if (!apart && time_ > before && end - time_ <= time_error_ &&
+          !(nearest(interval.a, interval.b, 1).distance > touch_distance_))
         return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_));
       if (time_ > before) {
         place(interval);
@@ -187,14 +188,12 @@ class ConvexAdvancement {
   }
   void place(const TimeInterval& interval) {
     const bool at_end = time_ == interval.end;
-    if (pair_.a.rotates) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
-    at_b_ = at_end ? interval.b.atEnd() : pair_.b.places(time_, time_);
+    if (pair_.a.rotates) at_a_ = at_end ? interval.a.to(interval.a, true) : pair_.a.places(time_, time_);
+    at_b_ = at_end ? interval.b.to(interval.b, true) : pair_.b.places(time_, time_);
   }
-  NearestPoints nearest() const {
-    return NearestPoints(a_.edge(at_a_, 0, edge_a_), b_.edge(at_b_, 0, edge_b_), pair_.error);
-  }
-  double distanceAtEnd(const TimeInterval& interval) const {
-    return NearestPoints(a_.edge(interval.a, 1, edge_a_), b_.edge(interval.b, 1, edge_b_), pair_.error).distance;
+  NearestPoints nearestNow() const { return nearest(at_a_, at_b_, 0); }
+  NearestPoints nearest(const Places& a, const Places& b, int lane) const {
+    return NearestPoints(a_.edge(a, lane, edge_a_), b_.edge(b, lane, edge_b_), pair_.error);
   }
 
   /// Of small polygons: the edge that has all of the other polygon farthest beyond it, as floats see it, and the
@@ -220,7 +219,7 @@ class ConvexAdvancement {
       edge_a_ = a_.supportEdge(at_a_, axis);
       edge_b_ = b_.supportEdge(at_b_, -axis);
     }
-    NearestPoints best = nearest();
+    NearestPoints best = nearestNow();
     for (bool moved = true; moved && best.distance > touch_distance_;) {
       moved = false;
       for (const bool of_b : {false, true}) {
@@ -228,7 +227,7 @@ class ConvexAdvancement {
         Body& body = of_b ? b_ : a_;
         const std::uint32_t from = edge;
         edge = body.neighbour(of_b ? at_b_ : at_a_, edge, of_b ? best.on_b : best.on_a);
-        const NearestPoints there = nearest();
+        const NearestPoints there = nearestNow();
         if (there.distance < best.distance) {
           best = there;
           moved = true;
@@ -309,7 +308,8 @@ bool isConvexPair(const MovingPair& pair) {
   const auto isConvex = [](const PolygonData& p) { return p.isDegenerate() || cornersOf(p) != nullptr; };
   if (!isConvex(*pair.a.polygon) || !isConvex(*pair.b.polygon)) return false;
   // A point is followed for less.
-  return pair.isInRange() ? !pair.b.polygon->isPoint() : pair.slides() && pair.error < 1;
+  return pair.isInRange() ? !pair.b.polygon->isPoint()
+                          : pair.is_steady && !pair.a.rotates && !pair.b.rotates && pair.error < 1;
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error) {

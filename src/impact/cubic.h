@@ -9,6 +9,7 @@
 
 namespace tricover::detail {
 
+/// Vectors are in a pair's length (MovingPair): squares don't overflow, and what underflows is far below its error.
 inline double lengthOf(double x) { return std::abs(x); }
 inline double lengthOf(const Vec2& x) { return x.norm(); }
 inline bool isNull(double x) { return x == 0; }

@@ -13,12 +13,7 @@ namespace tricover {
 
 Motion Motion::still(const Pose& pose) { return translation(pose, Vec2::Zero()); }
 
-Motion Motion::translation(const Pose& start, const Vec2& shift) {
-  Motion motion;
-  motion.start = start;
-  motion.shift = shift;
-  return motion;
-}
+Motion Motion::translation(const Pose& start, const Vec2& shift) { return {start, shift}; }
 
 Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
   return detail::motionBetween(start, "start", end, "end", pivot);
@@ -33,31 +28,25 @@ Motion detail::motionBetween(const Pose& start, const std::string& start_name, c
   const Eigen::Matrix2d rotation = end.linear() * start.linear().transpose();
   if (rotation.determinant() < 0)
     refuse(end_name, "only one of it and " + start_name + " mirrors", "give both the same determinant");
-  Motion motion;
-  motion.start = start;
-  motion.pivot = pivot;
-  motion.angle = std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
-  if (motion.angle == std::atan2(-0.0, -1.0)) motion.angle = -motion.angle;
-  motion.shift = (end.translation() - start.translation()) + (end.linear() - start.linear()) * pivot;
-  return motion;
+  double angle = std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
+  if (angle == std::atan2(-0.0, -1.0)) angle = -angle;
+  return {start, (end.translation() - start.translation()) + (end.linear() - start.linear()) * pivot, angle, pivot};
 }
 
 namespace {
 
+Motion motionAlong(const Pose& start, const Vec2& pivot, const detail::Cubic<Vec2>& path,
+                   const detail::Cubic<double>& rotation) {
+  return {start, path.first, rotation.first, pivot, path.second, path.third, rotation.second, rotation.third};
+}
+
 /// From where the pivot and the body's angle are at time 0.
 Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& path,
                   const detail::Cubic<double>& rotation) {
-  Motion motion;
-  motion.pivot = pivot;
-  motion.start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  motion.start.translation() = position - motion.start.linear() * pivot;
-  motion.shift = path.first;
-  motion.shift_2 = path.second;
-  motion.shift_3 = path.third;
-  motion.angle = rotation.first;
-  motion.angle_2 = rotation.second;
-  motion.angle_3 = rotation.third;
-  return motion;
+  Pose start = Pose::Identity();
+  start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  start.translation() = position - start.linear() * pivot;
+  return motionAlong(start, pivot, path, rotation);
 }
 
 /// From the ends p, q and the rates u, v there.
@@ -124,9 +113,8 @@ Motion Motion::part(double from, double until) const {
   detail::requireFinite(from, "from");
   detail::requireFinite(until, "until");
   const double length = until - from;
-  const detail::Cubic<Vec2> path = partOf(detail::pathOf(*this), from, length);
-  const detail::Cubic<double> rotation = partOf(detail::rotationOf(*this), from, length);
-  return {at(from), path.first, rotation.first, pivot, path.second, path.third, rotation.second, rotation.third};
+  return motionAlong(at(from), pivot, partOf(detail::pathOf(*this), from, length),
+                     partOf(detail::rotationOf(*this), from, length));
 }
 
 void checkMotion(const Motion& motion, const char* name) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/beside_segment.h"
 #include "numbers/power_of_two.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
@@ -216,11 +217,8 @@ struct TwoBeside {
   TwoBeside(const MovingEdge& points, const MovingEdge& segment) {
     const double ux = segment.x[1] - segment.x[0], uy = segment.y[1] - segment.y[0];
     const Double2 dx = points.x - segment.x[0], dy = points.y - segment.y[0];
-    const Double2 part = (dx * ux + dy * uy) / (ux * ux + uy * uy);
-    const Double2 share = smaller(larger(part, Double2{}), Double2{1, 1});  // 0 where the segment is a point
     side = ux * dy - uy * dx;
-    const Double2 path_x = dx - share * ux, path_y = dy - share * uy;
-    square = path_x * path_x + path_y * path_y;
+    square = besideSegment(dx, dy, ux, uy, 1 / (ux * ux + uy * uy)).square;  // NaN is its start: it is a point
   }
   /// Whether both are certainly on different sides; as long as that isn't known, of no doubt.
   bool areOpposite(double doubt) const {

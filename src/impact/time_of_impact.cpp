@@ -22,11 +22,9 @@ namespace {
 /// From the pair's frame at `time` to the world.
 Vec2 toWorld(const MovingPair& pair, double time, const Vec2& p) {
   const Motion& motion_a = *pair.a.motion;
-  const Vec2 pivot = motion_a.start * pair.a.pivot, path = pathOf(motion_a).at(time);
-  const Vec2 world = pivot + path + p * pair.length * pair.expansion;
-  if (world.allFinite()) return world;
+  const Vec2 path = pathOf(motion_a).at(time) / 4;
   // Infinite only if the sum is, and not because its parts are.
-  const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + path / 4;
+  const Vec2 quarter = motion_a.start.linear() * (pair.a.pivot / 4) + motion_a.start.translation() / 4 + path;
   return (quarter + p * (pair.length / 4) * pair.expansion) * 4;
 }
 
@@ -95,10 +93,8 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
 /// Time 0 is collide()'s. A pair that is apart there meets at its edges first.
 FirstContact collideAtStart(const MovingPair& pair, double begin, double) {
   if (begin > 0) return FirstContact::unknown(begin);
-  CollideOptions options;
-  options.margin = pair.given_margin;
   const PosedPair posed(*pair.a.polygon, pair.a.motion->start, *pair.b.polygon, pair.b.motion->start);
-  const Outcome outcome = collideByHierarchy(posed, options, 0, Wanted::Edges);
+  const Outcome outcome = collideByHierarchy(posed, {pair.given_margin}, 0, Wanted::Edges);
   if (!outcome.collides) return FirstContact::unknown(0);
   return {FirstContact::Verdict::Touch, 0, outcome.edge_a, outcome.edge_b};
 }
@@ -162,23 +158,21 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
                                    const ImpactOptions& options) {
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
-  const auto first = options.margin < 0
-                         ? detail::deepImpact(a, motion_a, b, motion_b, options)
-                         : detail::inKernelOrder(
-                               a.data(), motion_a, b.data(), motion_b,
-                               [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
-                               detail::swapOperands);
+  auto first = options.margin < 0
+                   ? detail::deepImpact(a, motion_a, b, motion_b, options)
+                   : detail::inKernelOrder(
+                         a.data(), motion_a, b.data(), motion_b,
+                         [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
+                         detail::swapOperands);
   if (!options.ignore_initial || !first) return first;
   detail::MovingContact contact(a, motion_a, b, motion_b, options);
   if (!contact.touchAt(0)) return first;
   const auto end = contact.endOfContact(0);
-  std::optional<Impact> next = contact.next(end.time);
-  if (end.is_known) return next;
+  if (end.is_known) return contact.next(end.time);
   // Whether the first contact lasts is unknown.
-  if (!next) next = first;
-  next->time = end.time;
-  next->budget_ended = true;
-  return next;
+  first->time = end.time;
+  first->budget_ended = true;
+  return first;
 }
 
 }  // namespace tricover

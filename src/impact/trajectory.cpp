@@ -40,8 +40,8 @@ std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, 
   return legs;
 }
 
-/// visit(begin, end), in order, between all times at which a leg of either one ends, while both bodies are there, until
-/// it returns false.
+/// visit(motion of a, motion of b, begin, end), in order, between all times at which a leg of either one ends, while
+/// both bodies are there, until it returns false.
 template <typename Visit>
 void forEachInterval(const detail::TimedBody& a, const detail::TimedBody& b, Visit visit) {
   std::vector<double> times;
@@ -56,8 +56,11 @@ void forEachInterval(const detail::TimedBody& a, const detail::TimedBody& b, Vis
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (times[i - 1] >= begin && times[i] <= end && !visit(times[i - 1], times[i])) return;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double from = times[i - 1], until = times[i];
+    if (from < begin || until > end) continue;
+    if (!visit(a.trajectory.part(from, until), b.trajectory.part(from, until), from, until)) return;
+  }
 }
 
 }  // namespace
@@ -110,9 +113,8 @@ std::optional<Impact> detail::timeOfImpact(const Polygon& a, const TimedBody& bo
     return all.front().impact;
   }
   std::optional<Impact> found;
-  forEachInterval(body_a, body_b, [&](double begin, double end) {
-    found = tricover::timeOfImpact(a, body_a.trajectory.part(begin, end), b, body_b.trajectory.part(begin, end),
-                                   optionsWithin(options, end - begin));
+  forEachInterval(body_a, body_b, [&](const Motion& motion_a, const Motion& motion_b, double begin, double end) {
+    found = tricover::timeOfImpact(a, motion_a, b, motion_b, optionsWithin(options, end - begin));
     if (found) found->time = timeWithin(begin, end - begin, found->time);
     return !found;
   });
@@ -123,16 +125,8 @@ std::vector<Conflict> detail::conflicts(const Polygon& a, const TimedBody& body_
                                         const TimedBody& body_b, const ImpactOptions& options) {
   std::vector<Conflict> all;
   bool leaves_out = options.ignore_initial;
-  forEachInterval(body_a, body_b, [&](double begin, double end) {
-    const double length = end - begin;
-    for (Conflict& found : conflictsFrom(a, body_a.trajectory.part(begin, end), b, body_b.trajectory.part(begin, end),
-                                         optionsWithin(options, length), leaves_out)) {
-      found.impact.time = timeWithin(begin, length, found.impact.time);
-      found.end = found.end < 1 ? std::min(end, begin + length * found.end) : end;
-      if (all.empty() || found.impact.time > all.back().end) all.push_back(found);
-      all.back().end = found.end;
-      all.back().budget_ended |= found.budget_ended;
-    }
+  forEachInterval(body_a, body_b, [&](const Motion& motion_a, const Motion& motion_b, double begin, double end) {
+    addConflicts(a, motion_a, b, motion_b, begin, end, options, leaves_out, all);
     return true;
   });
   return all;

@@ -21,30 +21,23 @@ class PointBesideTree {
 
   Approach soonest(const TimeInterval& interval, bool) const {
     const VertexView view(interval, true);
-    struct Call {
-      static bool visit(void* context, std::uint32_t position) {
-        Call& c = *static_cast<Call*>(context);
-        c.view.approach(c.path, EdgeInUnits(c.self.pair_.a, position), 0, position, c.best);
-        c.ray.length = std::min(c.best.share, 1.0) * c.length;
-        return true;
-      }
-      const PointBesideTree& self;
-      const VertexView& view;
-      VertexPath path;
-      double length;
-      Ray ray;
-      Approach best;
-    } call{*this, view, view.pathOf(Vec2::Zero(), lever_), 0, {}, {}};
-    const VertexPath& path = call.path;
-    const double dx = path.x[1] - path.x[0], dy = path.y[1] - path.y[0];
-    call.length = std::hypot(dx, dy);
-    call.ray = {path.x[0], path.y[0], 1, 0, view.reachOfRing(path) + 0x1p-50 * call.length, call.length};
-    if (call.length > 0) call.ray.dx = dx / call.length, call.ray.dy = dy / call.length;
+    const VertexPath path = view.pathOf(Vec2::Zero(), lever_);
+    const double dx = path.x[1] - path.x[0], dy = path.y[1] - path.y[0], length = std::hypot(dx, dy);
+    Ray ray{path.x[0], path.y[0], 1, 0, view.reachOfRing(path) + 0x1p-50 * length, length};
+    if (length > 0) ray.dx = dx / length, ray.dy = dy / length;
+    Approach best;
+    auto visit = [&](std::uint32_t position) {
+      view.approach(path, EdgeInUnits(pair_.a, position), 0, position, best);
+      ray.length = std::min(best.share, 1.0) * length;
+      return true;
+    };
     if (a_.isDegenerate())
-      Call::visit(&call, static_cast<std::uint32_t>(a_.degenerate_edge));
+      visit(static_cast<std::uint32_t>(a_.degenerate_edge));
     else
-      visitEdgesOnRay(*pair_.a.tree, call.ray, &Call::visit, &call);
-    return call.best;
+      visitEdgesOnRay(
+          *pair_.a.tree, ray,
+          [](void* call, std::uint32_t edge) { return (*static_cast<decltype(visit)*>(call))(edge); }, &visit);
+    return best;
   }
 
   /// A point is on a degenerate polygon for no time at all: that is found where it is.

@@ -47,9 +47,10 @@ struct Triangle {
     return std::min({p, q, r}) < 0 && std::max({p, q, r}) > 0;
   }
 
-  /// Whether the region holds a point inside of it, exactly (2 p + q + r) / 4.
+  /// Whether the region holds a point inside of it, exactly (2 p + q + r) / 4; or may, where that isn't exact.
   bool holdsInside(const PolygonData& polygon) const {
     const Vec2 &p = corner[0], &q = corner[1], &r = corner[2], middle = 0.5 * p + (0.25 * q + 0.25 * r);
+    if (2 * (0.5 * p) != p || 4 * (0.25 * q) != q || 4 * (0.25 * r) != r) return true;
     Pose sum = Pose::Identity();
     sum.matrix().topRows<2>() << 0.25 * q, 0.25 * r, 0.5 * p;
     const double error = 4 * kUnitRoundoff * (p.lpNorm<1>() + q.lpNorm<1>() + r.lpNorm<1>()) + kTiny;

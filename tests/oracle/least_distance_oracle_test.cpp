@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // leastDistance() against exact distances of vertices' paths, where polygons are only shifted, and against distances at
-// many times for any motion.
+// many times for any motion and trajectory.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "conflict_laws.h"
 #include "exact_reference.h"
 #include "least_distance_laws.h"
 #include "reproduction.h"
@@ -109,6 +110,38 @@ TEST(LeastDistanceOracle, NoSampleIsNearer) {
   if (cases < 400) return;
   EXPECT_GT(meet, cases / 10);
   EXPECT_GT(apart, cases / 10);
+  EXPECT_LE(ended, cases / 100);
+}
+
+/// Bodies that may come later, leave sooner, or never be there together.
+TEST(LeastDistanceOracle, NoSampleOfTrajectoriesIsNearer) {
+  const int cases = scaledCount(600);
+  int meet = 0, apart = 0, absent = 0, ended = 0;
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 70000);
+    const auto polygon = [&] {
+      return random.oneIn(8) ? segment({-1, 0}, {1, 0.5}) : Polygon({star(random, random.integer(3, 20), 0.1, 0.4)});
+    };
+    const Polygon a = polygon(), b = polygon();
+    const Trajectory of_a = anyPlan(random), of_b = anyPlan(random);
+    LeastDistanceOptions options = anyOptions(random);
+    if (options.margin > 0) options.margin = 0.1;
+    options.absent_outside =
+        std::max(of_a.begin(), of_b.begin()) <= std::min(of_a.end(), of_b.end()) && random.oneIn(3);
+    const LeastDistance found = leastDistance(a, of_a, b, of_b, options);
+    const std::string wrong = wrongLeastDistance(a, of_a, b, of_b, options, found, 500);
+    ++(found.distance == 0 ? meet : apart);
+    absent += options.absent_outside;
+    ended += found.budget_ended;
+    ASSERT_TRUE(wrong.empty()) << i << ": " << wrong << ", found " << hex(found.distance) << ", error " << options.error
+                               << ", margin " << options.margin << ", absent outside " << options.absent_outside;
+  }
+  std::printf("%d cases, %d meet, %d don't, %d with bodies that are absent, %d budgets ended\n", cases, meet, apart,
+              absent, ended);
+  if (cases < 200) return;
+  EXPECT_GT(meet, cases / 10);
+  EXPECT_GT(apart, cases / 10);
+  EXPECT_GT(absent, cases / 10);
   EXPECT_LE(ended, cases / 100);
 }
 

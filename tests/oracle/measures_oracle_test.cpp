@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -241,6 +242,15 @@ TEST(MeasuresOracle, CoversHoldTheRegionAndAreNearIt) {
   expectOfFamilies(families(), expectCovered, 30, 40, 0.2);
   expectOfFamilies(touchingFamilies(), expectCovered, 400, 40, 0.1);
   expectOfCountries(expectCovered, 60, 150);
+}
+
+/// The quarter of a coordinate isn't always a double.
+TEST(MeasuresOracle, CoversOfTheSmallestDoublesHoldTheRegion) {
+  std::vector<Family> denormals;
+  for (const Family& family : families())
+    if (family.name == std::string("denormals")) denormals.push_back(family);
+  ASSERT_EQ(denormals.size(), 1u);
+  expectOfFamilies(denormals, expectCovered, 1000, 40, 0.02);
 }
 
 /// Where vertices are at the tolerance exactly, or the smallest double beyond it, far from the origin too.

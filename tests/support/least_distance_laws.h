@@ -20,5 +20,8 @@ mpq_class leastSquared(const Polygon& a, const Motion& motion_a, const Polygon& 
 /// What is wrong with the result beside so many samples and the time of impact; empty if nothing is.
 std::string wrongLeastDistance(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                const LeastDistanceOptions& options, const LeastDistance& found, int samples);
+std::string wrongLeastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                               const Trajectory& trajectory_b, const LeastDistanceOptions& options,
+                               const LeastDistance& found, int samples);
 
 }  // namespace tricover::support

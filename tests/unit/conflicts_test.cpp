@@ -61,6 +61,27 @@ TEST(Conflicts, OfABarThatTurnsPastAPointAreTwoATurn) {
   expectSpans(conflicts(bar, turns, point({0, 4}), kStill, {0, kError}), spans);
 }
 
+/// Squares of lengths are 0 or infinite at most of these sizes.
+TEST(Conflicts, OfAnySize) {
+  std::vector<Conflict> truth;
+  for (const double size : {1.0, 1e-300, 1e-170, 1e160, 1e300}) {
+    SCOPED_TRACE(size);
+    const Polygon walls = kWalls.scaled(size), square = kSquare.scaled(size);
+    const auto from = [&](double x) { return pose(0, x * size, 0); };
+    expectSpans(conflicts(walls, kStill, square, Motion::translation(from(-10), {20 * size, 0}), {0, kError}),
+                {{0.45, 0.6}, {0.7, 0.85}});
+    // From within the first wall, past the second one and back.
+    Motion bends = Motion::translation(from(0), {30 * size, 0});
+    bends.shift_2 = Vec2(-36, 3) * size;
+    bends.shift_3 = Vec2(6, -3) * size;
+    const ImpactOptions leaves{0, kError, true};
+    const std::vector<Conflict> found = conflicts(walls, kStill, square, bends, leaves);
+    if (truth.empty()) truth = found;
+    expectSpans(found, {{truth[0].impact.time, truth[0].end}, {truth[1].impact.time, 1}}, 2 * kError);
+    EXPECT_EQ(timeOfImpact(walls, kStill, square, bends, leaves)->time, found[0].impact.time);
+  }
+}
+
 TEST(Conflicts, EndAtTheEnd) {
   expectSpans(conflicts(kSquare, kStill, kSquare, kStill), {{0, 1}}, 0);
   const Polygon beside({rectangle(1, -1, 3, 1)});

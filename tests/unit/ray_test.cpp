@@ -272,10 +272,12 @@ TEST(RayAll, MeetsAMargin) {
   // Along the outline of the grown region, and beside it.
   EXPECT_FALSE(castRayAll(posts, Pose::Identity(), {-5, 1.5}, {15, 1.5}, {0.5}).empty());
   EXPECT_EQ(intervalsOf(posts, {-5, 1.501}, {15, 1.501}, 0.5), "");
-  // Longer than a double: in halves that meet in the region.
+  // Longer than a double.
   const Polygon huge({rectangle(-1e306, -1e306, 1e306, 1e306), rectangle(1e307, -1, 1.1e307, 1)});
   const auto far = castRayAll(huge, Pose::Identity(), {-kLargest, 0}, {kLargest, 0}, {1e305});
   ASSERT_EQ(far.size(), 2u);
+  EXPECT_EQ(castRay(huge, Pose::Identity(), {-kLargest, 0}, {kLargest, 0}, {1e305})->fraction, far[0].begin.fraction);
+  EXPECT_EQ(castRayAll(posts, pose(kLargest / 2, 1, 0), {-kLargest, 0}, {kLargest, 0}, {0.5}).size(), 1u);
   EXPECT_NEAR(far[0].begin.point.x() / 1e306, -1.1, 1e-6);
   EXPECT_NEAR(far[0].end.point.x() / 1e306, 1.1, 1e-6);
   EXPECT_NEAR(far[1].end.point.x() / 1e306, 11.1, 1e-6);
