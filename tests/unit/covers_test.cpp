@@ -81,6 +81,23 @@ TEST(Covers, AreasWithoutAnInterior) {
   EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
 }
 
+/// As documented, a margin does not see what is around a point of the part that equals a point of an area.
+TEST(Covers, PointsUponPoints) {
+  const Ring p(3, {5, 5});
+  const Polygon beside({rectangle(0, 0, 4, 4), p}), within({rectangle(0, 0, 9, 9), p});
+  const Polygon on_edge({rectangle(0, 0, 5, 9), p}), right({rectangle(5, 0, 9, 9)}), part({rectangle(1, 1, 2, 2), p});
+  EXPECT_TRUE(covers(point({5, 5}), point({5, 5})));
+  EXPECT_TRUE(covers(point({5, 5}), point({5, 5}), 1e-9));
+  EXPECT_TRUE(covers(beside, part));
+  EXPECT_TRUE(covers(beside, part, 1));
+  EXPECT_FALSE(covers(beside, part, 1.25)) << "that is near an edge";
+  EXPECT_TRUE(covers(within, part, 1));
+  EXPECT_TRUE(together({beside, within}, part, 1));
+  EXPECT_FALSE(covers(on_edge, part, 1e-9));
+  EXPECT_TRUE(together({on_edge, right}, part, 1));
+  EXPECT_TRUE(together({point({5, 5}), on_edge, right}, point({5, 5}), 4));
+}
+
 TEST(Covers, Complements) {
   const Polygon pillar({rectangle(0, 0, 2, 2)}), robot({rectangle(2, 0, 3, 1)}), inside({rectangle(0, 0, 1, 1)});
   EXPECT_TRUE(covers(pillar.complement(), robot));

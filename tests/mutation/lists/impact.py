@@ -59,4 +59,6 @@ MUTATIONS = [
     ("src/impact/least_distance.cpp", "closer.absent_outside = options.absent_outside;", "", "least distance: of bodies that are absent"),
     ("src/impact/cast_ray.cpp", "< 0x1p1020 ? 1 : 0x1p-4", "< 0x1p1020 ? 1 : 1.0", "ray with a margin: longer than a double"),
     ("src/impact/least_distance.cpp", "  look(end);", "  look(std::min(begin, end));", "least distance: not at the end"),
+    ("src/impact/least_distance.cpp", "if (step == 0) least.distance = 0;", "", "least distance: of bodies that meet, but for rounding"),
+    ("src/impact/trajectory.cpp", "if (!body->absent_outside) continue;", "continue;", "trajectories: bodies that are absent stay"),
 ]

@@ -22,4 +22,6 @@ MUTATIONS = [
     ("src/polygon/simplified.cpp", "if (all_are_near && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "if (i == chain.begin + 1 && !tolerance_.holds(distance, polygon_.path[i], v, w)) all_are_near = false;", "simplified: one vertex asked of a chain"),
     ("src/polygon/simplified.cpp", "polygon_.inUnits(p), polygon_.inUnits(v), polygon_.inUnits(w)", "polygon_.inUnits(p), polygon_.inUnits(v), polygon_.inUnits(v)", "simplified: the chord's start alone"),
     ("src/polygon/simplified.cpp", "if (polygon_.fitsUnit() && distance < most - error) return true;", "if (polygon_.fitsUnit() && distance < most + error) return true;", "simplified: rounding of distances"),
+    ("src/polygon/polygon.cpp", "{box.min() - Vec2::Constant(error), box.max() + Vec2::Constant(error)}", "box", "bounds of a posed polygon: not rounded outwards"),
+    ("src/polygon/polygon.cpp", "mapped([&](const Vec2& vertex) { return Vec2(pose * vertex); })", "mapped([&](const Vec2& vertex) { return Vec2(pose.linear() * vertex); })", "transformed(): without the translation"),
 ]

@@ -22,4 +22,6 @@ MUTATIONS = [
     ("src/scene/impacts.cpp", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
     ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0", "options.touching == Touching::Collides", "clear box: learnt where an overlap is allowed"),
     ("src/scene/scene_state.cpp", "    room = 0;\n", "", "negative margins: a certificate outlasts an overlap that is allowed"),
+    ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
+    ("src/scene/impacts.cpp", "{moving.trajectory, moving.absent_outside || options.absent_outside}", "{moving.trajectory, options.absent_outside}", "trajectories: a body of a scene that is absent stays"),
 ]
