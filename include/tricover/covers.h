@@ -19,8 +19,8 @@ struct CoverOptions {
 ///
 /// Regions are closed. A part without an interior (a point, a segment, an edge that goes back the way it came) is
 /// covered where the area has its inside on one side at least, or an edge. An area without an interior covers only what
-/// lies along its edges, and nothing with a margin. A ring of the part that is one point is
-/// covered by an equal one of the area, with any margin that keeps it away from other edges of the area.
+/// lies along its edges, and nothing with a margin. A ring of the part that is one point is covered by an equal
+/// one of the area, with any margin that keeps it away from other edges of the area.
 ///
 /// The time is O((n + k) log n) for n edges near the part and k pairs of them that meet.
 ///
