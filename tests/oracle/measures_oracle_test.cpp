@@ -253,6 +253,33 @@ TEST(MeasuresOracle, CoversOfTheSmallestDoublesHoldTheRegion) {
   expectOfFamilies(denormals, expectCovered, 1000, 40, 0.02);
 }
 
+TEST(MeasuresOracle, BoundsOfAPoseHoldAllVertices) {
+  int rounded = 0;
+  for (const Family& family : families())
+    for (int i = 0; i < scaledCount(100); ++i) {
+      const Case c = family.make(static_cast<std::uint64_t>(i));
+      const auto& m = c.pose_a.matrix();
+      const Eigen::AlignedBox2d box = c.a.bounds(c.pose_a);
+      if (!box.max().allFinite() || !box.min().allFinite()) continue;
+      const double size = c.a.bounds().min().lpNorm<1>() + c.a.bounds().max().lpNorm<1>();
+      const double room = 1e-14 * (size + c.pose_a.translation().lpNorm<1>()) + 0x1p-1000;
+      for (const int axis : {0, 1}) {
+        std::vector<mpq_class> exact;
+        Eigen::AlignedBox2d plain;
+        for (EdgeIndex e = 0; e < c.a.edgeCount(); ++e) {
+          const Vec2 p = c.a.edgeStart(e);
+          exact.push_back(mpq_class(m(axis, 0)) * p.x() + mpq_class(m(axis, 1)) * p.y() + m(axis, 2));
+          plain.extend(Vec2(c.pose_a * p));
+        }
+        const auto [least, most] = std::minmax_element(exact.begin(), exact.end());
+        ASSERT_TRUE(box.min()[axis] <= *least && *most <= box.max()[axis]) << family.name << " " << i;
+        ASSERT_TRUE(box.max()[axis] - *most <= room && *least - box.min()[axis] <= room) << family.name << " " << i;
+        rounded += plain.max()[axis] < *most || plain.min()[axis] > *least;
+      }
+    }
+  EXPECT_GT(rounded, 0);
+}
+
 /// Where vertices are at the tolerance exactly, or the smallest double beyond it, far from the origin too.
 TEST(MeasuresOracle, ToleranceIsExact) {
   for (const double far : {0.0, 1e6, 0x1p52}) {
