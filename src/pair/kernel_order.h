@@ -51,7 +51,7 @@ template <typename PoseOrMotion>
 bool inOrder(const PolygonData& a, const PoseOrMotion& pose_a, const PolygonData& b, const PoseOrMotion& pose_b) {
   if (a.radius != b.radius) return a.radius > b.radius;
   if (a.path.size() != b.path.size()) return a.path.size() < b.path.size();
-  if (a.fill != b.fill) return a.fill < b.fill;
+  if (a.fill.number() != b.fill.number()) return a.fill.number() < b.fill.number();
   const auto p = numbersOf(pose_a), q = numbersOf(pose_b);
   if (std::lexicographical_compare(q.begin(), q.end(), p.begin(), p.end(), isSmaller)) return true;
   if (std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), isSmaller)) return false;

@@ -23,16 +23,11 @@ bool beginsPoint(const PolygonData& polygon, std::size_t v) {
 }
 
 EdgesAt edgesAt(const PolygonData& polygon, std::size_t v) {
-  const std::size_t ring = polygon.ringOf(v), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
   const auto hasLength = [&](std::size_t e) { return polygon.path[e] != polygon.path[e + 1]; };
-  const auto previous = [&](std::size_t e) { return (e == begin ? end : e) - 1; };
-  EdgesAt edges{v, previous(v)};
-  if (hasLength(v)) {
-    while (!hasLength(edges.before)) edges.before = previous(edges.before);
-  } else if (hasLength(edges.before)) {
-    while (!hasLength(edges.after)) edges.after = edges.after + 1 == end ? begin : edges.after + 1;
-  }
-  return edges;
+  std::size_t before = edgeBefore(polygon, v);
+  if (hasLength(v))
+    while (!hasLength(before)) before = edgeBefore(polygon, before);
+  return {hasLength(before) ? polygon.namedEdge(v) : v, before};  // v where only repetitions are on both sides
 }
 
 }  // namespace tricover::detail

@@ -45,12 +45,8 @@ struct Fill {
   FillRule rule = FillRule::EvenOdd;
   bool is_complement = false;  ///< inside is what the rule calls outside
 
-  bool operator==(const Fill& other) const { return rule == other.rule && is_complement == other.is_complement; }
-  bool operator!=(const Fill& other) const { return !(*this == other); }
-  /// An order, whichever.
-  bool operator<(const Fill& other) const {
-    return is_complement != other.is_complement ? other.is_complement : rule < other.rule;
-  }
+  /// Another one for each fill.
+  int number() const { return (rule == FillRule::EvenOdd ? 0 : 1) + (is_complement ? 2 : 0); }
 };
 
 /// A ring's vertices, wherever they are.

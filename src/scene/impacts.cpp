@@ -258,11 +258,14 @@ std::vector<std::uint32_t> motionsOf(const SceneState& state, const std::vector<
   return motion_of;
 }
 
-/// Calls query(polygon, moving, polygon, moving, options) for each pair that may meet, in parallel, then report(pair,
-/// answer) in the order of handles. `motions` are BodyMotions or BodyTrajectories.
-template <typename Answer, typename Moving, typename Query, typename Report>
-void queryPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
-                const ImpactOptions& options, const Parallel& parallel, const Query& query, const Report& report) {
+const Impact& impactOf(const PairImpact& found) { return found.impact; }
+const Impact& impactOf(const PairConflict& found) { return found.conflict.impact; }
+
+/// Calls query(list, pair, polygon, moving, polygon, moving, options) for each pair that may meet, in parallel. Returns
+/// what they add to the lists, by time and then by handles. `motions` are BodyMotions or BodyTrajectories.
+template <typename Found, typename Moving, typename Query>
+std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
+                              const ImpactOptions& options, const Parallel& parallel, const Query& query) {
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
   // One body of a pair may stand still while the other one moves.
@@ -271,41 +274,19 @@ void queryPairs(const std::vector<Moving>& motions, const char* name, const Scen
     if (own < motions.size()) return motions[own];
     return {state.handleOf(slot), stillBeside(pathOf(motions[motion_of[other]]), state.bodies[slot].pose)};
   };
-  std::vector<Answer> found(pairs.size());
-  detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
+  auto all = detail::gatherInParallel<Found, 1>(parallel, pairs.size(), [&](std::size_t i, std::vector<Found>& list) {
     const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    found[i] = query(p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
+    query(list, pairs[i], p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
   });
-  for (std::size_t i = 0; i < pairs.size(); ++i) report(pairs[i], found[i]);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Found& p, const Found& q) { return impactOf(p).time < impactOf(q).time; });
+  return all;
 }
 
 detail::TimedBody timed(const BodyTrajectory& moving, const ImpactOptions& options) {
   return {moving.trajectory, moving.absent_outside || options.absent_outside};
-}
-
-std::optional<Impact> impactOf(const Polygon& p, const BodyMotion& moving_p, const Polygon& q,
-                               const BodyMotion& moving_q, const ImpactOptions& options) {
-  return timeOfImpact(p, moving_p.motion, q, moving_q.motion, options);
-}
-std::optional<Impact> impactOf(const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
-                               const BodyTrajectory& moving_q, const ImpactOptions& options) {
-  return detail::timeOfImpact(p, timed(moving_p, options), q, timed(moving_q, options), options);
-}
-
-template <typename Moving>
-std::vector<PairImpact> impactsOf(const std::vector<Moving>& motions, const char* name, const SceneState& state,
-                                  const ImpactOptions& options, const Parallel& parallel) {
-  std::vector<PairImpact> impacts;
-  queryPairs<std::optional<Impact>>(
-      motions, name, state, options, parallel, [](const auto&... operands) { return impactOf(operands...); },
-      [&](const BodyPair& pair, const std::optional<Impact>& impact) {
-        if (impact) impacts.push_back({pair, *impact});
-      });
-  std::stable_sort(impacts.begin(), impacts.end(),
-                   [](const PairImpact& p, const PairImpact& q) { return p.impact.time < q.impact.time; });
-  return impacts;
 }
 
 }  // namespace
@@ -316,33 +297,36 @@ std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, c
   const SceneState& state = impl_->settled();
   for (std::size_t i = 0; i < motions.size(); ++i)
     checkMotion(motions[i].motion, ("motions[" + std::to_string(i) + "]").c_str());
-  return impactsOf(motions, "motions", state, options, parallel);
+  return queryPairs<PairImpact>(motions, "motions", state, options, parallel,
+                                [](auto& list, const BodyPair& pair, const Polygon& p, const BodyMotion& moving_p,
+                                   const Polygon& q, const BodyMotion& moving_q, const ImpactOptions& both) {
+                                  if (const auto found = timeOfImpact(p, moving_p.motion, q, moving_q.motion, both))
+                                    list.push_back({pair, *found});
+                                });
 }
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options,
                                        const Parallel& parallel) const {
   detail::checkOptions(options);
-  const SceneState& state = impl_->settled();
-  return impactsOf(trajectories, "trajectories", state, options, parallel);
+  return queryPairs<PairImpact>(
+      trajectories, "trajectories", impl_->settled(), options, parallel,
+      [](auto& list, const BodyPair& pair, const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
+         const BodyTrajectory& moving_q, const ImpactOptions& both) {
+        if (const auto found = detail::timeOfImpact(p, timed(moving_p, both), q, timed(moving_q, both), both))
+          list.push_back({pair, *found});
+      });
 }
 
 std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& trajectories,
                                            const ImpactOptions& options, const Parallel& parallel) const {
   detail::checkOptions(options);
-  std::vector<PairConflict> all;
-  queryPairs<std::vector<Conflict>>(
+  return queryPairs<PairConflict>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q, const BodyTrajectory& moving_q,
-         const ImpactOptions& both) {
-        return detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both);
-      },
-      [&](const BodyPair& pair, const std::vector<Conflict>& found) {
-        for (const Conflict& conflict : found) all.push_back({pair, conflict});
+      [](auto& list, const BodyPair& pair, const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
+         const BodyTrajectory& moving_q, const ImpactOptions& both) {
+        for (const Conflict& found : detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both))
+          list.push_back({pair, found});
       });
-  std::stable_sort(all.begin(), all.end(), [](const PairConflict& p, const PairConflict& q) {
-    return p.conflict.impact.time < q.conflict.impact.time;
-  });
-  return all;
 }
 
 }  // namespace tricover

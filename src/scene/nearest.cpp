@@ -13,9 +13,6 @@
 
 namespace tricover {
 
-using detail::SceneState;
-using detail::Slot;
-
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -24,11 +21,13 @@ bool isNearer(const BodyDistance& p, const BodyDistance& q) {
   return std::pair(p.result.distance, p.body) < std::pair(q.result.distance, q.body);
 }
 
-/// Returns the `count` nearest bodies that pass a filter, up to a limit, the nearest first. The tree proposes bodies by
-/// the distances of their boxes.
-std::vector<BodyDistance> nearestBodies(const SceneState& state, const Polygon& polygon, const Pose& pose,
-                                        std::size_t count, double limit, const DistanceOptions& options,
-                                        const BodyFilter& filter) {
+}  // namespace
+
+/// The tree proposes bodies by the distances of their boxes.
+std::vector<BodyDistance> Scene::nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+                                          const DistanceOptions& options, const BodyFilter& filter) const {
+  detail::requireNotNegative(limit, "limit");
+  const detail::SceneState& state = impl_->settled();
   const detail::SlotFilter slots = state.slots(filter);
   detail::checkOptions(options);
   detail::requireRigid(pose, "pose");
@@ -37,7 +36,7 @@ std::vector<BodyDistance> nearestBodies(const SceneState& state, const Polygon& 
   double most = limit;
   // Boxes hold the bodies' margins, this one holds the query's: a result is what margins leave of a distance.
   const detail::Bounds bounds = boundsOf(polygon.data(), pose, options.margin);
-  state.tree.visitNear(bounds, limit, [&](Slot slot) {
+  state.tree.visitNear(bounds, limit, [&](detail::Slot slot) {
     const bool is_full = best.size() == count;
     if (!state.passes(slots, slot)) return most;
     if (is_full && most == 0 && state.handleOf(slot) > best.back().body) return most;
@@ -60,27 +59,15 @@ std::vector<BodyDistance> nearestBodies(const SceneState& state, const Polygon& 
   return best;
 }
 
-std::optional<BodyDistance> firstOf(const std::vector<BodyDistance>& best) {
-  return best.empty() ? std::nullopt : std::optional(best.front());
-}
-
-}  // namespace
-
 std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options,
                                            const BodyFilter& filter) const {
-  return firstOf(nearestBodies(impl_->settled(), polygon, pose, 1, kInfinity, options, filter));
+  return nearestWithin(polygon, pose, kInfinity, options, filter);
 }
 
 std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                                  const DistanceOptions& options, const BodyFilter& filter) const {
-  detail::requireNotNegative(limit, "limit");
-  return firstOf(nearestBodies(impl_->settled(), polygon, pose, 1, limit, options, filter));
-}
-
-std::vector<BodyDistance> Scene::nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
-                                          const DistanceOptions& options, const BodyFilter& filter) const {
-  detail::requireNotNegative(limit, "limit");
-  return nearestBodies(impl_->settled(), polygon, pose, count, limit, options, filter);
+  const std::vector<BodyDistance> best = nearestK(polygon, pose, 1, limit, options, filter);
+  return best.empty() ? std::nullopt : std::optional(best.front());
 }
 
 }  // namespace tricover

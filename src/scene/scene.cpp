@@ -16,20 +16,9 @@
 namespace tricover {
 namespace {
 
-void checkBody(const Pose& pose, const BodyOptions& options) {
+void check(const BodyOptions& options) {
   detail::requireFiniteMargin(options.margin, "margin");
   detail::requireTouching(options.touching);
-  detail::requireRigid(pose, "pose");
-}
-
-/// Names which of many it is.
-void checkBodies(const std::vector<BodyPlacement>& bodies) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!std::isfinite(bodies[i].options.margin))
-      detail::requireFiniteMargin(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
-    detail::requireTouching(bodies[i].options.touching);
-    detail::requireRigid(bodies[i].pose, "poses", i);
-  }
 }
 
 }  // namespace
@@ -48,13 +37,19 @@ Scene& Scene::operator=(Scene&& other) {
 }
 
 Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
-  checkBody(pose, options);
+  check(options);
+  detail::requireRigid(pose, "pose");
   impl_->makeRoomFor(1);
   return impl_->handleOf(impl_->put(polygon, pose, options));
 }
 
 std::vector<Scene::Body> Scene::add(const std::vector<BodyPlacement>& bodies) {
-  checkBodies(bodies);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!std::isfinite(bodies[i].options.margin))
+      detail::requireFiniteMargin(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
+    check(bodies[i].options);
+    detail::requireRigid(bodies[i].pose, "poses", i);
+  }
   impl_->makeRoomFor(bodies.size());
   std::vector<Body> handles;
   handles.reserve(bodies.size());
@@ -105,8 +100,7 @@ const BodyOptions& Scene::options(Body body) const { return impl_->bodies[impl_-
 
 void Scene::setOptions(Body body, const BodyOptions& options) {
   const detail::Slot slot = impl_->slot(body);
-  detail::requireFiniteMargin(options.margin, "margin");
-  detail::requireTouching(options.touching);
+  check(options);
   impl_->setOptions(slot, options);
 }
 
