@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "hierarchy/simd.h"
+#include "hierarchy/edges_on_ray.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/coverage.h"
@@ -62,26 +62,15 @@ class CoverSearch {
 
   /// Asks those edges of an area that may be inside of the part.
   bool hasGapBeside(std::size_t area) {
-    struct Context {
-      CoverSearch& search;
-      std::size_t area;
-    } context{*this, area};
-    const auto isBesideGap = [](const void* of, std::size_t edge) {
-      const Context& c = *static_cast<const Context*>(of);
-      return c.search.sides_.of(c.area, edge).hasSought();
-    };
     const PosedPair seen = pairs_[area - 1].back();
     const PolygonData& polygon = seen.a;
     const ApproxPoint center = seenFromA(seen, part_.origin).approx;
     const Vec2 at = polygon.inUnits({center.x, center.y});
-    const double reach = part_.reach * (1 + 4 * kLargestDefect) * polygon.inverse_unit;
-    const Place place{at.x(), at.y(), 2 * center.error * polygon.inverse_unit + 0x1p-48 * (at.lpNorm<1>() + 4)};
-    if (polygon.fitsUnit())
-      return findEdgeNear(hierarchyOf(polygon), place, reach, {&context, isBesideGap, reach, -1}).hit;
-    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
-        if (isBesideGap(&context, edge)) return true;
-    return false;
+    const double reach = part_.reach * (1 + 4 * kLargestDefect) + 2 * center.error;
+    bool has_gap = false;
+    forEachEdgeNear(polygon, at, at, reach * polygon.inverse_unit,
+                    [&](std::size_t edge) { return !(has_gap = sides_.of(area, edge).hasSought()); });
+    return has_gap;
   }
 
   const std::vector<PosedPair>& pairs_;

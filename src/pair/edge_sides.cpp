@@ -4,25 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy/simd.h"
+#include "hierarchy/edges_on_ray.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/four_ends.h"
 #include "pair/root_box.h"
 #include "polygon/covering.h"
-#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 
 namespace {
 
 bool areOne(const PosedPoint& p, const PosedPoint& q) { return p.pose == q.pose && p.local == q.local; }
-
-bool isSame(const SeenPoint& p, const SeenPoint& q) {
-  const ApproxPoint &x = p.approx, &y = q.approx;
-  if (std::max(std::abs(x.x - y.x), std::abs(x.y - y.y)) > 2 * (x.error + y.error)) return false;
-  return areOne(p.exact, q.exact) || (compareExact(p.exact, q.exact, 0) == 0 && compareExact(p.exact, q.exact, 1) == 0);
-}
 
 /// The sign of the signed area |p q r|. Exact.
 int sign(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
@@ -45,26 +38,6 @@ bool isBetween(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
   return areOne(p.exact, q.exact) || areOne(p.exact, r.exact) || betweenExact(p.exact, q.exact, r.exact);
 }
 
-/// Calls visit(edge), a position, for every edge that may meet the segment between two points, in units, either wrong
-/// by `error` in any direction.
-template <typename Visit>
-void forEachEdgeBetween(const PolygonData& polygon, const Vec2& from, const Vec2& to, double error, Visit visit) {
-  const Vec2 way = to - from;
-  const double length = way.norm(), room = error + 0x1p-48 * (from.lpNorm<1>() + length + 4);
-  if (!(polygon.fitsUnit() && room < 0x1p-4 && length < 0x1p1000)) {
-    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge) visit(edge);
-    return;
-  }
-  Ray ray{from.x(), from.y(), 1, 0, room, length};
-  if (length > 0x1p-400) ray.dx = way.x() / length, ray.dy = way.y() / length;
-  const auto call = [](void* context, std::uint32_t edge) {
-    (*static_cast<Visit*>(context))(edge);
-    return true;
-  };
-  visitEdgesOnRay(hierarchyOf(polygon), ray, call, &visit);
-}
-
 /// A point, in units, outside of the box around everything: from `at` towards the nearest side, askew, so that the way
 /// from there is hardly along edges.
 Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
@@ -81,15 +54,12 @@ Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
 
 }  // namespace
 
-bool PosedRegions::isNear(std::size_t i, const SeenPoint& v, const SeenPoint& w) const {
-  if (pairs_.size() == 1) return true;
+bool PosedRegions::isNear(std::size_t i, const ApproxPoint& v, const ApproxPoint& w) const {
   const PolygonData& region = polygon(i);
-  const ApproxPoint center = approx(i, region.origin), &p = v.approx, &q = w.approx;
-  const double reach = region.reach * (1 + 4 * kLargestDefect) + 2 * (center.error + std::max(p.error, q.error));
-  const auto isBeyond = [&](double x, double from, double to) {
-    return std::max(std::min(from, to) - x, x - std::max(from, to)) > reach * (1 + 8 * kUnitRoundoff);
-  };
-  return !isBeyond(center.x, p.x, q.x) && !isBeyond(center.y, p.y, q.y);
+  const ApproxPoint center = approx(i, region.origin);
+  const double reach = region.reach * (1 + 4 * kLargestDefect) + 4 * (center.error + std::max(v.error, w.error));
+  const double square = squaredDistanceToSegment({center.x, center.y}, {v.x, v.y}, {w.x, w.y});
+  return !(squarable(reach) && square > reach * reach);
 }
 
 /// Wrong as the pair's points are, which this one may be beyond.
@@ -111,15 +81,17 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size
   if (path[edge] == path[edge + 1]) return;
   v_ = regions.at(operand, edge);
   w_ = regions.at(operand, edge + 1);
+  addPoint(operand, v_.exact, 0);
+  cuts_.back().high = 0;
   for (std::size_t i = 0; i < regions.size(); ++i)
-    if (i == operand || regions.isNear(i, v_, w_)) findCuts(i, before);
-  std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
-  look(kNone, cuts_.empty() ? kNone : 0);
-  for (std::size_t i = 0; i < cuts_.size(); ++i) {
-    windings_[static_cast<std::size_t>(windingsOf(cuts_[i].operand) - windings_.data())].add(cuts_[i]);
+    if (i == operand || regions.isNear(i, v_.approx, w_.approx)) findCuts(i, before);
+  std::sort(cuts_.begin() + 1, cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
+  addPoint(operand, w_.exact, 0);
+  cuts_.back().low = 1;
+  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
+    windings_.at(cuts_[i].operand).add(cuts_[i]);
     // Between cuts at one place there is nothing.
-    const bool is_last = i + 1 == cuts_.size();
-    if (is_last || isBefore(cuts_[i], cuts_[i + 1])) look(i, is_last ? kNone : i + 1);
+    if (isBefore(cuts_[i], cuts_[i + 1])) look(i);
   }
 }
 
@@ -131,13 +103,16 @@ void EdgeSides::findCuts(std::size_t operand, const EdgeSides* before) {
   Way way;
   if (before != nullptr) {
     way.from = before->v_;
-    if (const Windings* known = before->windingsOf(operand)) way.winding = known->right;
+    const auto known = before->windings_.find(operand);
+    if (known != before->windings_.end()) way.winding = known->second.right;
   } else {
     leadFromOutside(way, operand, at_v, 1.5 * v.error * polygon.inverse_unit);
   }
-  windings_.push_back({operand, way.winding, way.winding});
-  forEachEdgeBetween(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit,
-                     [&](std::size_t edge) { add(operand, edge, way); });
+  windings_[operand] = {way.winding, way.winding};
+  forEachEdgeNear(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit, [&](std::size_t edge) {
+    add(operand, edge, way);
+    return true;
+  });
 }
 
 /// v is `at`, in units of the polygon, but for an error in any direction. The way begins at a point of its frame: an
@@ -153,12 +128,13 @@ void EdgeSides::leadFromOutside(Way& way, std::size_t operand, const Vec2& at, d
   way.pose.matrix().topLeftCorner<2, 2>() *= 8;
   way.from = {regions_.approx(operand, 8 * eighth), {&way.pose, eighth}};
   const double room = error + 0x1p-48 * polygon.extent * polygon.inverse_unit;
-  forEachEdgeBetween(polygon, begin, at, room, [&](std::size_t edge) {
+  forEachEdgeNear(polygon, begin, at, room, [&](std::size_t edge) {
     const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
     const int of_q = sign(way.from, v_, q), of_r = sign(way.from, v_, r);
-    if ((of_q < 0) == (of_r < 0)) return;
     const int slant = of_q < 0 ? 1 : -1;
-    if (sign(q, r, v_) * slant < 0 && sign(q, r, way.from) * slant > 0) way.winding -= slant;
+    if ((of_q < 0) != (of_r < 0) && sign(q, r, v_) * slant < 0 && sign(q, r, way.from) * slant > 0)
+      way.winding -= slant;
+    return true;
   });
 }
 
@@ -173,8 +149,8 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
   if (of_q == 0 && of_r == 0) {
     if (operand != operand_ && operand_ == A && regions_.sought() == PosedRegions::Outside) addAlong(operand, q, r);
     if (!isBetween(v_, q, r)) return;
-    if (!isSame(v_, q)) pass(way, q, 0, -1);
-    if (!isSame(v_, r)) pass(way, r, 0, 1);
+    if (!isBetween(v_, q, q)) pass(way, q, 0, -1);
+    if (!isBetween(v_, r, r)) pass(way, r, 0, 1);
     return;
   }
   const int slant = of_r > of_q ? 1 : -1, at_v = sign(q, r, v_) * slant;
@@ -209,11 +185,14 @@ void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoin
   const SeenPoint &begin = direction > 0 ? q : r, &end = direction > 0 ? r : q;
   if (direction == 0 || compareAlong(v_, end) <= 0 || compareAlong(begin, w_) <= 0) return;
   if (compareAlong(v_, begin) <= 0)
-    ++windings_.back().along;
+    ++windings_.at(operand).along;
   else
-    cuts_.push_back({begin.exact.pose, {begin.exact.local, begin.exact.local}, operand, 0, false, false, 1});
-  if (compareAlong(end, w_) > 0)
-    cuts_.push_back({end.exact.pose, {end.exact.local, end.exact.local}, operand, 0, false, false, -1});
+    addPoint(operand, begin.exact, 1);
+  if (compareAlong(end, w_) > 0) addPoint(operand, end.exact, -1);
+}
+
+void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, int along) {
+  cuts_.push_back({point.pose, {point.local, point.local}, operand, 0, true, false, static_cast<std::int8_t>(along)});
 }
 
 /// Of two points on the line: 1 if the way comes to p before q, -1 after it.
@@ -226,24 +205,17 @@ int EdgeSides::compareAlong(const SeenPoint& p, const SeenPoint& q) const {
 /// An edge leaves v for `end` (turn 1), or comes from there (-1), which is on that side of v w: counter-clockwise
 /// around v it may be passed before v w, or be along that.
 void EdgeSides::pass(Way& way, const SeenPoint& end, int side, int turn) {
-  Windings& beside = windings_.back();
+  Windings& beside = windings_.rbegin()->second;  // its polygon's
   if (way.course == kUncertain) {
     way.course = sign(v_, way.from, w_);
     way.leads_back = way.course == 0 && !isBetween(v_, way.from, w_);
   }
-  const auto isAhead = [&] { return !isBetween(v_, end, w_); };
-  bool is_passed, is_along;
+  const int of_way = sign(v_, way.from, end);
+  const bool is_along = side == 0 && !isBetween(v_, end, w_);
+  const bool is_passed = way.course > 0 ? of_way > 0 && side < 0 : of_way > 0 || side < 0;
   if (way.leads_back) {  // v w is the last one around v, and the first
-    if (side != 0 || !isAhead()) beside.right += turn;
+    if (!is_along) beside.right += turn;
     return;
-  }
-  if (way.course == 0) {
-    is_along = side == 0 && isAhead();
-    is_passed = side < 0;
-  } else {
-    const int from_way = sign(v_, way.from, end);
-    is_along = side == 0 && from_way == way.course;
-    is_passed = way.course > 0 ? from_way > 0 && side < 0 : !is_along && (from_way > 0 || side < 0);
   }
   if (is_passed) beside.right += turn;
   if (is_passed || is_along) beside.left += turn;
@@ -256,43 +228,37 @@ bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   return compareFractionsExact(edge, p.edge(), q.edge()) < 0;
 }
 
-const EdgeSides::Windings* EdgeSides::windingsOf(std::size_t operand) const {
-  const auto found = std::lower_bound(windings_.begin(), windings_.end(), operand,
-                                      [](const Windings& of, std::size_t i) { return of.operand < i; });
-  return found != windings_.end() && found->operand == operand ? &*found : nullptr;
-}
-
-EdgeSides::Sides EdgeSides::insides(std::size_t operand, const Windings* windings) const {
+EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
   const Fill& fill = regions_.polygon(operand).fill;
-  return {isInside(fill, windings != nullptr ? windings->left : 0),
-          isInside(fill, windings != nullptr ? windings->right : 0)};
+  const auto found = windings_.find(operand);
+  const Windings windings = found != windings_.end() ? found->second : Windings{};
+  return {isInside(fill, windings.left), isInside(fill, windings.right)};
 }
 
-/// At the current piece.
-void EdgeSides::look(std::size_t begin, std::size_t end) {
-  const Sides first = insides(A, windingsOf(A));
+/// At a piece, whose windings are known.
+void EdgeSides::look(std::size_t piece) {
+  const Sides first = insides(A), own = insides(operand_);
   Sides others{false, false};
   bool has_along = false;
-  for (const Windings& windings : windings_) {
-    if (windings.operand == A) continue;
-    const Sides other = insides(windings.operand, &windings);
+  for (const auto& [operand, windings] : windings_) {
+    if (operand == A) continue;
+    const Sides other = insides(operand);
     others.left |= other.left;
     others.right |= other.right;
     has_along |= windings.along > 0;
   }
-  const Sides own = insides(operand_, windingsOf(operand_)), other = operand_ == A ? others : first;
   const bool is_bare = !own.left && !own.right, inside = regions_.sought() == PosedRegions::Inside;
   const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
   if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)
-    sought_.push_back({begin, end});
-  if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back({begin, end});
+    sought_.push_back(piece);
+  if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
   is_bare_ |= is_bare;
-  is_bare_inside_ |= is_bare && other.left && other.right;
+  is_border_ |= own.left != own.right;
 }
 
 bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
   return std::any_of(boundary_.begin(), boundary_.end(),
-                     [&](const Piece& piece) { return isWithin(piece, edge, margin); });
+                     [&](std::size_t piece) { return isWithin(piece, edge, margin); });
 }
 
 /// The edge as a whole is nearer. Points err by 5U of the pair's size, with which they are mapped; places between them,
@@ -301,18 +267,15 @@ bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
 /// Where that hides whether the distance is less than the margin, exact distances tell: of the ends of the edge from
 /// all of this one, where their feet are certainly on the piece, or beside it; of the piece's ends from the edge. An
 /// end at a cut is no nearer than the other edge there.
-bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) const {
-  if (piece.begin == kNone && piece.end == kNone) return true;
+bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) const {
+  if (cuts_.size() == 2) return true;
+  const Cut &begin = cuts_[piece], &end = cuts_[piece + 1];
   const SeenPoint p = regions_.at(A, edge), q = regions_.at(A, edge + 1);
-  const auto isNear = [&](const SeenPoint& end, const SeenPoint& v, const SeenPoint& w) {
-    return withinExact(end.exact, v.exact, w.exact, margin, true);
+  const auto isNear = [&](const SeenPoint& r, const SeenPoint& v, const SeenPoint& w) {
+    return withinExact(r.exact, v.exact, w.exact, margin, true);
   };
   const Vec2 v(v_.approx.x, v_.approx.y), along(w_.approx.x - v.x(), w_.approx.y - v.y());
   const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
-  const double low = piece.begin != kNone ? cuts_[piece.begin].low : 0,
-               high = piece.end != kNone ? cuts_[piece.end].high : 1;
-  const double first = piece.begin != kNone ? cuts_[piece.begin].high : 0,
-               last = piece.end != kNone ? cuts_[piece.end].low : 1;
   const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
   const auto distanceOf = [&](double from, double to) {
     const NearestPlaces nearest = nearestPlaces(other, {v + from * along, v + to * along});
@@ -324,27 +287,24 @@ bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) co
              "change it by 1e-12 of the coordinates");
   };
   refuseIf(!(size > 0x1p-400 && size < 0x1p400));  // squares leave the range of doubles
-  if (first <= last && distanceOf(first, last) + error < margin) return true;
-  if (distanceOf(low, high) - error > margin) return false;
+  if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
+  if (distanceOf(begin.low, end.high) - error > margin) return false;
   const double room = 0x1p-40 * (1 + size / along.norm());
-  for (const SeenPoint* end : {&p, &q}) {
-    if (!isNear(*end, v_, w_)) continue;
-    const double foot = (Vec2(end->approx.x, end->approx.y) - v).dot(along) / along.squaredNorm();
-    if (piece.begin != kNone && foot < low - room) continue;
-    if (piece.end != kNone && foot > high + room) continue;
-    refuseIf((piece.begin != kNone && foot < first + room) || (piece.end != kNone && foot > last - room));
+  const bool begins_at_v = piece == 0, ends_at_w = piece + 2 == cuts_.size();
+  for (const SeenPoint* at : {&p, &q}) {
+    if (!isNear(*at, v_, w_)) continue;
+    const double foot = (Vec2(at->approx.x, at->approx.y) - v).dot(along) / along.squaredNorm();
+    if (!begins_at_v && foot < begin.low - room) continue;
+    if (!ends_at_w && foot > end.high + room) continue;
+    refuseIf((!begins_at_v && foot < begin.high + room) || (!ends_at_w && foot > end.low - room));
     return true;
   }
-  for (const auto& [cut, end] : {std::pair{piece.begin, &v_}, std::pair{piece.end, &w_}}) {
-    if (cut == kNone) {
-      if (isNear(*end, p, q)) return true;
-      continue;
-    }
-    const PosedSegment there = cuts_[cut].edge();
-    if (cuts_[cut].operand == A) return true;
-    const SeenPoint r{regions_.approx(cuts_[cut].operand, there.ends[0]), there[0]};
-    const SeenPoint s{regions_.approx(cuts_[cut].operand, there.ends[1]), there[1]};
-    if (cuts_[cut].on_left != cuts_[cut].on_right) {
+  for (const Cut* cut : {&begin, &end}) {
+    const PosedSegment there = cut->edge();
+    if (cut->operand == A) return true;
+    const SeenPoint r{regions_.approx(cut->operand, there.ends[0]), there[0]};
+    const SeenPoint s{regions_.approx(cut->operand, there.ends[1]), there[1]};
+    if (cut->on_left != cut->on_right) {
       if (isNear(sign(v_, w_, r) == 0 ? r : s, p, q)) return true;
       continue;
     }
@@ -358,6 +318,7 @@ bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) co
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
 /// Of an edge along the line each end is on it, at t: with c the cut's edge, the cut is at t + |c t| / D.
 bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
+  if (&cut == &cuts_.front() || &cut == &cuts_.back()) return false;
   const std::size_t operand = operand_ == A ? B : A;
   const SeenPoint ends[] = {regions_.at(operand, edge), regions_.at(operand, edge + 1)};
   if (sign(v_, w_, ends[0]) != 0 || sign(v_, w_, ends[1]) != 0) {
@@ -371,26 +332,22 @@ bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
 }
 
 bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
-  return std::any_of(sought_.begin(), sought_.end(), [&](const Piece& piece) {
-    const std::size_t cut = side > 0 ? piece.begin : piece.end;
-    return cut == kNone || std::none_of(edges.begin(), edges.end(),
-                                        [&](std::size_t edge) { return isBeyond(edge, cuts_[cut], -side); });
+  return std::any_of(sought_.begin(), sought_.end(), [&](std::size_t piece) {
+    const Cut& cut = cuts_[side > 0 ? piece : piece + 1];
+    return std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, cut, -side); });
   });
 }
 
 bool EdgeSides::bordersBothAt(std::size_t edge) const {
-  return std::any_of(sought_.begin(), sought_.end(), [&](const Piece& piece) {
-    return !(piece.begin != kNone && isBeyond(edge, cuts_[piece.begin], -1)) &&
-           !(piece.end != kNone && isBeyond(edge, cuts_[piece.end], 1));
+  return std::any_of(sought_.begin(), sought_.end(), [&](std::size_t piece) {
+    return !isBeyond(edge, cuts_[piece], -1) && !isBeyond(edge, cuts_[piece + 1], 1);
   });
 }
 
 const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
-  std::map<std::size_t, EdgeSides>& known = known_[operand];
-  const auto place = known.lower_bound(edge);
-  if (place != known.end() && place->first == edge) return place->second;
+  if (const EdgeSides* known = ifKnown(operand, edge)) return *known;
   const EdgeSides* before = ifKnown(operand, edgesAt(regions_.polygon(operand), edge).before);
-  return known.emplace_hint(place, edge, EdgeSides(regions_, operand, edge, before))->second;
+  return known_.insert({{operand, edge}, EdgeSides(regions_, operand, edge, before)}).first->second;
 }
 
 bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
@@ -404,16 +361,11 @@ bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
     const double along = std::abs(from.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
     const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
     const Vec2 at = begin + along * way;
-    struct Context {
-      const Path& path;
-      std::size_t edge;
-    } context{polygon.path, edge};
-    const auto isOther = [](const void* of, std::size_t found) {
-      const Context& c = *static_cast<const Context*>(of);
-      return found != c.edge && c.path[found] != c.path[found + 1];
-    };
-    const Place place{at.x(), at.y(), error * way.lpNorm<1>() + 0x1p-48};
-    return !findEdgeNear(hierarchyOf(polygon), place, 0, {&context, isOther, 0, -1}).hit;
+    bool is_alone = true;
+    forEachEdgeNear(polygon, at, at, error * way.lpNorm<1>(), [&](std::size_t found) {
+      return is_alone = found == edge || polygon.path[found] == polygon.path[found + 1];
+    });
+    return is_alone;
   };
   return isAlone(pair.a, i, approxArea(q, r, v), approxArea(q, r, w)) &&
          isAlone(pair.b, j, approxArea(v, w, q), approxArea(v, w, r));

@@ -38,8 +38,8 @@ class PosedRegions {
     const Vec2& p = polygon(i).path[position];
     return {i == 0 ? pairs_[0].fromA(p) : pairs_[i - 1].fromB(p), {&pose(i), p}};
   }
-  /// Whether a region may be as near to a segment as its disc is; a pair's always.
-  bool isNear(std::size_t i, const SeenPoint& v, const SeenPoint& w) const;
+  /// Whether a region may be as near to a segment as its disc is.
+  bool isNear(std::size_t i, const ApproxPoint& v, const ApproxPoint& w) const;
   /// Any point of a polygon's frame.
   ApproxPoint approx(std::size_t i, const Vec2& p) const;
   /// A vertex of `of` in the frame of i.
@@ -80,11 +80,11 @@ class EdgeSides {
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }
-  /// Whether along some such piece the other one has it on both.
-  bool isBareInside() const { return is_bare_inside_; }
+  /// Whether along some piece of it that polygon has its inside on one side alone.
+  bool isBorder() const { return is_border_; }
 
  private:
-  /// Where another edge leaves the line or comes to it.
+  /// Where another edge leaves the line or comes to it; v and w are the first and the last one.
   struct Cut {
     PosedSegment edge() const { return {pose, ends}; }
 
@@ -102,16 +102,11 @@ class EdgeSides {
       if (cut.on_right) right += cut.turn;
       along += cut.along;
     }
-    std::size_t operand;
     int left = 0, right = 0;
     int along = 0;  ///< edges of other operands along the line: counted where that matters
   };
   struct Sides {
     bool left, right;
-  };
-  /// By a cut at its begin and one at its end; kNone at v and w.
-  struct Piece {
-    std::size_t begin, end;
   };
   /// A place from which the way comes straight to v, and the winding number on its right at v.
   struct Way {
@@ -126,44 +121,41 @@ class EdgeSides {
   void leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const;
   void add(std::size_t operand, std::size_t edge, Way& way);
   void addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r);
+  void addPoint(std::size_t operand, const PosedPoint& point, int along);
   void pass(Way& way, const SeenPoint& end, int side, int turn);
   int compareAlong(const SeenPoint& p, const SeenPoint& q) const;
   bool isBefore(const Cut& p, const Cut& q) const;
   bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
-  const Windings* windingsOf(std::size_t operand) const;  ///< null where nothing of it is near
-  Sides insides(std::size_t operand, const Windings* windings) const;
-  bool isWithin(const Piece& piece, std::size_t edge, double margin) const;
-  void look(std::size_t begin, std::size_t end);
+  Sides insides(std::size_t operand) const;
+  bool isWithin(std::size_t piece, std::size_t edge, double margin) const;
+  void look(std::size_t piece);
 
   const PosedRegions& regions_;
   const std::size_t operand_, edge_;
   SeenPoint v_, w_;
-  std::vector<Windings> windings_;  ///< of operands that are near, beside the current piece, at last at w
-  std::vector<Cut> cuts_;           ///< between v and w, in order
-  static constexpr std::size_t kNone = ~std::size_t{0};
-  std::vector<Piece> sought_;    ///< pieces that are what is sought, or beside it on one side
-  std::vector<Piece> boundary_;  ///< those beside which no other region but the first has its inside on both
-  bool is_bare_ = false, is_bare_inside_ = false;
+  std::map<std::size_t, Windings> windings_;  ///< of operands that are near, beside the current piece, at last at w
+  std::vector<Cut> cuts_;                     ///< from v to w, in order; a piece has the number of the cut before it
+  std::vector<std::size_t> sought_;           ///< pieces that are what is sought, or beside it on one side
+  std::vector<std::size_t> boundary_;  ///< those beside which no other region but the first has its inside on both
+  bool is_bare_ = false, is_border_ = false;
 };
 
 /// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.
 class KnownSides {
  public:
-  explicit KnownSides(PosedRegions regions) : regions_(std::move(regions)), known_(regions_.size()) {}
+  explicit KnownSides(PosedRegions regions) : regions_(std::move(regions)) {}
   KnownSides(const KnownSides&) = delete;
   KnownSides& operator=(const KnownSides&) = delete;
 
   const EdgeSides* ifKnown(std::size_t operand, std::size_t edge) const {
-    const auto known = known_[operand].find(edge);
-    return known != known_[operand].end() ? &known->second : nullptr;
+    const auto known = known_.find({operand, edge});
+    return known != known_.end() ? &known->second : nullptr;
   }
   const EdgeSides& of(std::size_t operand, std::size_t edge);
 
-  const PosedRegions& regions() const { return regions_; }
-
  private:
   const PosedRegions regions_;
-  std::vector<std::map<std::size_t, EdgeSides>> known_;  ///< by operand
+  std::map<std::pair<std::size_t, std::size_t>, EdgeSides> known_;  ///< by operand and edge
 };
 
 /// Whether the filters prove that two edges of a pair cross, each with no other edge of its polygon there. Then both

@@ -9,6 +9,7 @@
 #include "pair/edge_sides.h"
 #include "pair/kernel_order.h"
 #include "pair/posed_pair.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 namespace {
@@ -45,7 +46,7 @@ class InteriorSearch {
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
     const EdgeSides& sides = sides_.of(operand, edge);
-    has_bare_[operand] |= sides.isBareInside();
+    has_bare_[operand] |= sides.isBare();
     return sides.hasSought();
   }
 
@@ -53,11 +54,10 @@ class InteriorSearch {
   bool meetInside(EdgeSides::Operand operand, std::ptrdiff_t start) {
     if (start >= 0 && meetBeside(operand, static_cast<std::size_t>(start))) return true;
     if (start < 0 && !has_bare_[operand]) return false;
-    const PolygonData& polygon = operand == EdgeSides::A ? pair_.a : pair_.b;
-    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
-        if (meetBeside(operand, edge)) return true;
-    return false;
+    bool has_found = false;
+    forEachEdge(operand == EdgeSides::A ? pair_.a : pair_.b,
+                [&](std::size_t edge) { return !(has_found = meetBeside(operand, edge)); });
+    return has_found;
   }
 
   const PosedPair pair_;

@@ -8,8 +8,8 @@
 #include <limits>
 #include <queue>
 
+#include "hierarchy/edges_on_ray.h"
 #include "hierarchy/inclusion.h"
-#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/edge_sides.h"
@@ -18,24 +18,6 @@
 namespace tricover {
 namespace detail {
 namespace {
-
-/// Calls visit(edge), a position, for every edge that may come within `reach`, in units, of the segment between two
-/// points no farther than a unit away, until it returns false.
-template <typename Visit>
-void forEachEdgeBeside(const PolygonData& polygon, const Vec2& from, const Vec2& to, double reach, Visit visit) {
-  if (polygon.isDegenerate() || !polygon.fitsUnit()) {
-    for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-      for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
-        if (!visit(edge)) return;
-    return;
-  }
-  const Vec2 at = polygon.inUnits(from), along = polygon.inUnits(to) - at;
-  const double length = along.norm();
-  Ray ray{at.x(), at.y(), 1, 0, reach + 0x1p-44, length};
-  if (length > 0) ray.dx = along.x() / length, ray.dy = along.y() / length;
-  const auto call = [](void* context, std::uint32_t edge) { return (*static_cast<Visit*>(context))(edge); };
-  visitEdgesOnRay(hierarchyOf(polygon), ray, call, &visit);
-}
 
 /// A triangle that isn't flat, counter-clockwise.
 struct Triangle {
@@ -227,7 +209,7 @@ class RingCover {
     const Vec2 &v = polygon_.path[old], &w = polygon_.path[old + 1];
     const int axis = std::abs(w.x() - v.x()) >= std::abs(w.y() - v.y()) ? 0 : 1;
     bool is_alone = true;
-    forEachEdgeBeside(polygon_, v, w, 0, [&](std::size_t edge) {
+    forEachEdgeNear(polygon_, polygon_.inUnits(v), polygon_.inUnits(w), 0, [&](std::size_t edge) {
       const Vec2 &p = polygon_.path[edge], &q = polygon_.path[edge + 1];
       if (edge == old || p == q || orientation(v, w, p) != 0 || orientation(v, w, q) != 0) return true;
       const double begin = std::max(std::min(v[axis], w[axis]), std::min(p[axis], q[axis]));
@@ -248,8 +230,9 @@ class RingCover {
       if ((triangle.at(i + 1) - triangle.at(i)).norm() > (triangle.at(longest + 1) - triangle.at(longest)).norm())
         longest = i;
     const Vec2 &from = triangle.at(longest), &to = triangle.at(longest + 1);
+    const double reach = near_.distance(triangle.at(longest + 2), from, to);
     bool is_clear = true;
-    forEachEdgeBeside(polygon_, from, to, near_.distance(triangle.at(longest + 2), from, to), [&](std::size_t edge) {
+    forEachEdgeNear(polygon_, polygon_.inUnits(from), polygon_.inUnits(to), reach, [&](std::size_t edge) {
       return is_clear = !triangle.isEnteredBy(polygon_.path[edge], polygon_.path[edge + 1]);
     });
     return is_clear && !triangle.holdsInside(polygon_);

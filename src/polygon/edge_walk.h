@@ -8,6 +8,14 @@
 
 namespace tricover::detail {
 
+/// Calls visit(edge), a position in the path, for every edge, ring by ring, until it returns false.
+template <typename Visit>
+void forEachEdge(const PolygonData& polygon, Visit&& visit) {
+  for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
+    for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+      if (!visit(edge)) return;
+}
+
 /// The next edge of a ring, all around, and the one before; positions in the path.
 std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
 std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
