@@ -253,7 +253,7 @@ void EdgeSides::look(std::size_t piece) {
     sought_.push_back(piece);
   if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
   is_bare_ |= is_bare;
-  is_border_ |= own.left != own.right;
+  (own.left != own.right ? is_border_ : is_seam_) = true;
 }
 
 bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
