@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "hierarchy/edges_on_ray.h"
 #include "hierarchy/inclusion.h"
-#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/four_ends.h"
@@ -53,22 +53,12 @@ class RayCast {
     if (in_units && passesBy()) return std::nullopt;
     if (startsInside(in_units)) return start();
     if (from() == to()) return std::nullopt;
-    if (in_units) {
-      const auto visit = [](void* cast, std::uint32_t edge) { return static_cast<RayCast*>(cast)->take(edge), true; };
-      visitEdgesOnRay(hierarchyOf(polygon_), ray_, visit, this);
-    } else {
-      forAllEdges([&](std::size_t edge) { take(edge); });
-    }
+    forEachEdgeOn(polygon_, in_units ? &ray_ : nullptr, [this](std::size_t edge) { return take(edge), true; });
     if (!found_ || fraction_ > limit_) return std::nullopt;
     return hitAt(edge_, fraction_, 0);
   }
 
  protected:
-  template <typename Visit>
-  void forAllEdges(const Visit& visit) const {
-    for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
-      for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e) visit(e);
-  }
   FourEnds endsWith(std::size_t edge) const {
     return {{from_, to_, vertex(edge), vertex(edge + 1)}, ray(), segment(edge)};
   }
@@ -229,27 +219,21 @@ class RayCastAll : private RayCast {
       if (!startsInside(in_units)) return {};
       return {{start(), end}};
     }
-    events_ = {{kRay, 0, 0, 0, 0}, {kRay, 1, 1, 0, 0}};
+    events_ = {eventAt({nullptr, from()}, kRay, 0), eventAt({nullptr, to()}, kRay, 0)};
     Ray line = ray_;
-    if (in_units && bringBack(line)) {
-      const auto visit = [](void* cast, std::uint32_t edge) { return static_cast<RayCastAll*>(cast)->add(edge), true; };
-      visitEdgesOnRay(hierarchyOf(polygon_), line, visit, this);
-    } else {
-      forAllEdges([&](std::size_t edge) { add(edge); });
-    }
+    const bool is_known = in_units && bringBack(line);
+    forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](std::size_t edge) { return add(edge), true; });
     std::sort(events_.begin(), events_.end(), [&](const Event& p, const Event& q) { return compare(p, q) < 0; });
 
     std::vector<RayInterval> intervals;
-    bool is_on_ray = false, is_open = false;
+    bool is_open = false;
     for (std::size_t i = 0, next;; i = next) {
       for (next = i + 1; next < events_.size() && compare(events_[i], events_[next]) == 0;) ++next;
-      const bool is_from = has(i, next, 0), is_to = has(i, next, 1), is_alone = (is_from || is_to) && next == i + 1;
-      is_on_ray |= is_from;
-      const bool begins = is_on_ray && !is_open && (isInside() || !is_alone);
+      const bool is_from = i == 0, is_to = next == events_.size(), is_alone = (is_from || is_to) && next == i + 1;
+      const bool begins = !is_open && (isInside() || !is_alone);
       if (begins) {
-        const bool is_first = intervals.empty();
         intervals.push_back({is_from ? start() : hitOf(i, next, 0), end});
-        if (!is_first) keepOrder(intervals.back().begin, intervals.end()[-2].end);
+        if (intervals.size() > 1) keepOrder(intervals.back().begin, intervals.end()[-2].end);
         is_open = true;
       }
       if (is_to) return intervals;
@@ -264,15 +248,17 @@ class RayCastAll : private RayCast {
   }
 
  private:
-  /// A place on the ray's line: where an edge meets it, a vertex where an edge that runs along the line begins or ends
-  /// to do so, or an end of the ray.
+  /// A place on the ray: where an edge meets it, a vertex where an edge begins or ends to run along it, or an end.
   struct Event {
+    PosedSegment segment() const { return {pose, ends}; }
+
+    const Pose* pose;
+    Vec2 ends[2];             ///< of the edge, or twice the point
     std::size_t edge;         ///< or kRay
-    std::size_t point;        ///< the vertex's position, or the ray's end; otherwise kNoPoint
     double fraction;          ///< or 0 or 1, whichever is nearer
     std::int8_t turn, along;  ///< how the winding number on the left changes, and the number of edges along the line
   };
-  static constexpr std::size_t kRay = ~std::size_t{0}, kNoPoint = kRay;
+  static constexpr std::size_t kRay = ~std::size_t{0};
 
   /// Begins the ray's line where it is behind all of the polygon. False if doubles don't know the line that well.
   ///
@@ -289,10 +275,6 @@ class RayCastAll : private RayCast {
   }
 
   bool isInside() const { return along_ > 0 || detail::isInside(polygon_.fill, winding_); }
-  bool has(std::size_t begin, std::size_t end, std::size_t end_of_ray) const {
-    return std::any_of(&events_[begin], &events_[begin] + (end - begin),
-                       [&](const Event& e) { return e.edge == kRay && e.point == end_of_ray; });
-  }
 
   /// An edge that may meet the ray's line before the ray's end.
   void add(std::size_t edge) {
@@ -300,9 +282,14 @@ class RayCastAll : private RayCast {
     const int v = ends.sign(0, 1, 2), w = ends.sign(0, 1, 3);
     if (v * w > 0) return;
     if (v == 0 && w == 0) {
-      Event at_v{edge, edge, fractionOf(edge), 0, 1}, at_w{edge, edge + 1, fractionOf(edge + 1), 0, -1};
+      Event at_v = eventAt(ends.exact(2), edge, 1), at_w = eventAt(ends.exact(3), edge, -1);
       if (compare(at_v, at_w) > 0) std::swap(at_v.along, at_w.along);
-      events_.insert(events_.end(), {at_v, at_w});
+      for (const Event& at : {at_v, at_w}) {
+        if (compare(at, events_[0]) < 0)
+          along_ += at.along;
+        else if (compare(at, events_[1]) <= 0)
+          events_.push_back(at);
+      }
       return;
     }
     const int slant = w > v ? 1 : -1;
@@ -311,23 +298,18 @@ class RayCastAll : private RayCast {
     if (ends.sign(2, 3, 0) * slant < 0) {
       winding_ += turn;
     } else {
-      events_.push_back({edge, kNoPoint, RayCast::fractionOf(ends), turn, 0});
+      events_.push_back({&pose_, {ends.exact(2).local, ends.exact(3).local}, edge, fractionOf(ends), turn, 0});
     }
   }
-  double fractionOf(std::size_t vertex) const {
-    const Vec2 both[] = {polygon_.path[vertex], polygon_.path[vertex]};
-    return std::clamp(fractionExact(ray(), {&pose_, both}), 0.0, 1.0);
+  Event eventAt(const PosedPoint& point, std::size_t edge, std::int8_t along) const {
+    Event event{point.pose, {point.local, point.local}, edge, 0, 0, along};
+    event.fraction = std::clamp(fractionExact(ray(), event.segment()), 0.0, 1.0);
+    return event;
   }
 
   int compare(const Event& p, const Event& q) const {
     if (areApart(p.fraction, q.fraction)) return p.fraction < q.fraction ? -1 : 1;
-    Vec2 of_p[2], of_q[2];
-    return compareFractionsExact(ray(), segmentOf(p, of_p), segmentOf(q, of_q));
-  }
-  PosedSegment segmentOf(const Event& event, Vec2 (&both)[2]) const {
-    if (event.point == kNoPoint) return segment(event.edge);
-    both[0] = both[1] = event.edge == kRay ? ends_[event.point] : polygon_.path[event.point];
-    return {event.edge == kRay ? nullptr : &pose_, both};
+    return compareFractionsExact(ray(), p.segment(), q.segment());
   }
 
   /// The hit at events that are at one place, seen from one end of the ray.
