@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "hierarchy/simd.h"
 #include "polygon/edge_walk.h"
@@ -12,9 +13,11 @@ namespace tricover::detail {
 /// Calls visit(edge), a position, until it returns false, for every edge that a ray may meet, the first roughly first;
 /// without a ray (null) for every edge. The visit may shorten the ray.
 template <typename Visit>
-void forEachEdgeOn(const PolygonData& polygon, const Ray* ray, Visit visit) {
+void forEachEdgeOn(const PolygonData& polygon, const Ray* ray, Visit&& visit) {
   if (ray == nullptr) return forEachEdge(polygon, visit);
-  const auto call = [](void* context, std::uint32_t edge) { return (*static_cast<Visit*>(context))(edge); };
+  const auto call = [](void* context, std::uint32_t edge) {
+    return (*static_cast<std::remove_reference_t<Visit>*>(context))(edge);
+  };
   visitEdgesOnRay(hierarchyOf(polygon), *ray, call, &visit);
 }
 

@@ -53,9 +53,22 @@ class RayCast {
     if (in_units && passesBy()) return std::nullopt;
     if (startsInside(in_units)) return start();
     if (from() == to()) return std::nullopt;
-    forEachEdgeOn(polygon_, in_units ? &ray_ : nullptr, [this](std::size_t edge) { return take(edge), true; });
+    forEachEdgeOn(polygon_, in_units ? &ray_ : nullptr, *this);
     if (!found_ || fraction_ > limit_) return std::nullopt;
     return hitAt(edge_, fraction_, 0);
+  }
+
+  /// Takes an edge that the ray may meet, and shortens the ray.
+  bool operator()(std::size_t edge) {
+    const FourEnds ends = endsWith(edge);
+    if (!ends.meet()) return true;
+    const double fraction = fractionOf(ends);
+    if (found_ && !isBefore(edge, fraction)) return true;
+    found_ = true;
+    edge_ = edge;
+    fraction_ = fraction;
+    shorten(std::min(fraction, limit_));
+    return true;
   }
 
  protected:
@@ -135,17 +148,6 @@ class RayCast {
     return {fraction, pointAt(from(), to(), fraction), normal(named, seen_from), polygon_.edgeName(named)};
   }
   RayHit start() const { return {0, from(), -unitVector(from(), to()), -1}; }
-
-  void take(std::size_t edge) {
-    const FourEnds ends = endsWith(edge);
-    if (!ends.meet()) return;
-    const double fraction = fractionOf(ends);
-    if (found_ && !isBefore(edge, fraction)) return;
-    found_ = true;
-    edge_ = edge;
-    fraction_ = fraction;
-    shorten(std::min(fraction, limit_));
-  }
 
   /// With A and B the areas that the edge spans with the ray's ends, the fraction is f = A / (A - B). Where they err by
   /// a and b it errs by ((1 - f) a + f b) / (A - B), and rounds twice; f is at most the share. It is the true A - B

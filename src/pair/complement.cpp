@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -33,17 +32,19 @@ struct Piece {
 /// All edges in order, cut where a vertex is on them. Any two pieces are then the same but for their direction, or have
 /// no more than points in common.
 std::vector<Piece> cutEdges(const PolygonData& polygon) {
-  std::vector<std::set<Place>> places(polygon.path.size());
+  std::vector<std::vector<Place>> places(polygon.path.size());
   const Pose still = Pose::Identity();
   forEachPair(PosedPair(polygon, still, polygon, still), 0, [&](double, std::size_t i, std::size_t j) {
     const Vec2 &v = polygon.path[i], &w = polygon.path[i + 1], &p = polygon.path[j];
-    if (orientation(v, w, p) == 0 && betweenExact({nullptr, p}, {nullptr, v}, {nullptr, w}))
-      places[i].insert(placeOf(p));
+    if (p == v || p == w || (orientation(v, w, p) == 0 && betweenExact({nullptr, p}, {nullptr, v}, {nullptr, w})))
+      places[i].push_back(placeOf(p));
     return 0.0;
   });
   std::vector<Piece> pieces;
   forEachEdge(polygon, [&](std::size_t edge) {
-    std::vector<Place> along(places[edge].begin(), places[edge].end());
+    std::vector<Place>& along = places[edge];
+    std::sort(along.begin(), along.end());
+    along.erase(std::unique(along.begin(), along.end()), along.end());
     if (along.front() != placeOf(polygon.path[edge])) std::reverse(along.begin(), along.end());
     if (along.size() == 1) along.push_back(along[0]);
     for (std::size_t k = 1; k < along.size(); ++k) pieces.push_back({along[k - 1], along[k], edge});

@@ -90,8 +90,8 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size
   cuts_.back().low = 1;
   for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
     windings_.at(cuts_[i].operand).add(cuts_[i]);
-    // Between cuts at one place there is nothing.
-    if (isBefore(cuts_[i], cuts_[i + 1])) look(i);
+    // Between cuts at one place there is nothing; none is at v or w.
+    if (i == 0 || i + 2 == cuts_.size() || isBefore(cuts_[i], cuts_[i + 1])) look(i);
   }
 }
 
