@@ -38,7 +38,7 @@ class InnerCrossings {
  public:
   /// crossings: all of the pair's.
   InnerCrossings(const PosedPair& pair, const std::vector<EdgeCrossing>& crossings)
-      : pair_(pair), sides_(PosedRegions(pair)) {
+      : pair_(pair), sides_(PosedRegions({pair})) {
     for (const EdgeCrossing& c : crossings) {
       met_[EdgeSides::A][c.edge[0]].push_back(c.edge[1]);
       met_[EdgeSides::B][c.edge[1]].push_back(c.edge[0]);

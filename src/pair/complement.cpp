@@ -59,7 +59,7 @@ std::vector<bool> bordersOf(const PolygonData& given, const std::vector<Piece>& 
   for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
   const Pose still = Pose::Identity();
-  KnownSides sides(PosedRegions({cut.data(), still, cut.data(), still}));
+  KnownSides sides(PosedRegions({PosedPair(cut.data(), still, cut.data(), still)}));
   std::vector<bool> borders;
   for (const Piece& piece : pieces) {
     const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(borders.size()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hierarchy/edges_on_ray.h"
 #include "numbers/errors.h"
@@ -36,6 +37,17 @@ bool isBetween(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
   const int in_x = tell(y.x - x.x, z.x - x.x), in_y = tell(y.y - x.y, z.y - x.y);
   if (in_x != 0 || in_y != 0) return in_x >= 0 && in_y >= 0;
   return areOne(p.exact, q.exact) || areOne(p.exact, r.exact) || betweenExact(p.exact, q.exact, r.exact);
+}
+
+/// x / (x + y) of areas on both sides of a line: with x and y wrong by their bounds it errs by at most the sum of both
+/// divided by x + y, but for the latter's error: twice. Anything from 0 to 1 where that says nothing.
+struct Share {
+  double middle, error;
+};
+Share shareOf(const ApproxArea& x, const ApproxArea& y) {
+  const double whole = std::abs(x.area - y.area), bound = x.bound + y.bound;
+  if (!(whole > 4 * bound && whole < 0x1p1000)) return {0.5, 0.5};
+  return {std::abs(x.area) / whole, 2 * bound / whole + 4 * kUnitRoundoff};
 }
 
 /// A point, in units, outside of the box around everything: from `at` towards the nearest side, askew, so that the way
@@ -81,17 +93,16 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size
   if (path[edge] == path[edge + 1]) return;
   v_ = regions.at(operand, edge);
   w_ = regions.at(operand, edge + 1);
-  addPoint(operand, v_.exact, 0);
-  cuts_.back().high = 0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  addPoint(operand, v_.exact, 0, -kInfinity, -kInfinity);
   for (std::size_t i = 0; i < regions.size(); ++i)
     if (i == operand || regions.isNear(i, v_.approx, w_.approx)) findCuts(i, before);
   std::sort(cuts_.begin() + 1, cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
-  addPoint(operand, w_.exact, 0);
-  cuts_.back().low = 1;
+  addPoint(operand, w_.exact, 0, kInfinity, kInfinity);
   for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
     windings_.at(cuts_[i].operand).add(cuts_[i]);
-    // Between cuts at one place there is nothing; none is at v or w.
-    if (i == 0 || i + 2 == cuts_.size() || isBefore(cuts_[i], cuts_[i + 1])) look(i);
+    // Between cuts at one place there is nothing.
+    if (isBefore(cuts_[i], cuts_[i + 1])) look(i);
   }
 }
 
@@ -161,22 +172,16 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
     return;
   }
   if (sign(q, r, w_) * slant >= 0) return;
-  Cut cut{q.exact.pose,
-          {q.exact.local, r.exact.local},
-          operand,
-          static_cast<std::int8_t>(-slant),
-          of_q > 0 || of_r > 0,
-          of_q < 0 || of_r < 0};
-  // Of x / (x + y), with x and y wrong by their bounds, at most the sum of both divided by x + y, but for the latter's
-  // error: twice.
-  const ApproxArea of_v = approxArea(q.approx, r.approx, v_.approx), of_w = approxArea(q.approx, r.approx, w_.approx);
-  const double whole = std::abs(of_v.area - of_w.area), bound = of_v.bound + of_w.bound;
-  if (whole > 4 * bound && whole < 0x1p1000) {
-    const double place = std::abs(of_v.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
-    cut.low = place - error;
-    cut.high = place + error;
-  }
-  cuts_.push_back(cut);
+  const Share place = shareOf(approxArea(q.approx, r.approx, v_.approx), approxArea(q.approx, r.approx, w_.approx));
+  cuts_.push_back({q.exact.pose,
+                   {q.exact.local, r.exact.local},
+                   operand,
+                   static_cast<std::int8_t>(-slant),
+                   of_q > 0 || of_r > 0,
+                   of_q < 0 || of_r < 0,
+                   0,
+                   place.middle - place.error,
+                   place.middle + place.error});
 }
 
 /// An edge along the line, or a point on it.
@@ -187,12 +192,12 @@ void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoin
   if (compareAlong(v_, begin) <= 0)
     ++windings_.at(operand).along;
   else
-    addPoint(operand, begin.exact, 1);
-  if (compareAlong(end, w_) > 0) addPoint(operand, end.exact, -1);
+    addPoint(operand, begin.exact, 1, 0, 1);
+  if (compareAlong(end, w_) > 0) addPoint(operand, end.exact, -1, 0, 1);
 }
 
-void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, int along) {
-  cuts_.push_back({point.pose, {point.local, point.local}, operand, 0, true, false, static_cast<std::int8_t>(along)});
+void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, std::int8_t along, double low, double high) {
+  cuts_.push_back({point.pose, {point.local, point.local}, operand, 0, true, false, along, low, high});
 }
 
 /// Of two points on the line: 1 if the way comes to p before q, -1 after it.
@@ -278,7 +283,8 @@ bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) con
   const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
   const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
   const auto distanceOf = [&](double from, double to) {
-    const NearestPlaces nearest = nearestPlaces(other, {v + from * along, v + to * along});
+    const NearestPlaces nearest =
+        nearestPlaces(other, {v + std::max(from, 0.0) * along, v + std::min(to, 1.0) * along});
     return (nearest.on_b - nearest.on_a).norm();
   };
   const auto refuseIf = [&](bool is_hidden) {
@@ -290,13 +296,11 @@ bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) con
   if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
   if (distanceOf(begin.low, end.high) - error > margin) return false;
   const double room = 0x1p-40 * (1 + size / along.norm());
-  const bool begins_at_v = piece == 0, ends_at_w = piece + 2 == cuts_.size();
   for (const SeenPoint* at : {&p, &q}) {
     if (!isNear(*at, v_, w_)) continue;
     const double foot = (Vec2(at->approx.x, at->approx.y) - v).dot(along) / along.squaredNorm();
-    if (!begins_at_v && foot < begin.low - room) continue;
-    if (!ends_at_w && foot > end.high + room) continue;
-    refuseIf((!begins_at_v && foot < begin.high + room) || (!ends_at_w && foot > end.low - room));
+    if (foot < begin.low - room || foot > end.high + room) continue;
+    refuseIf(foot < begin.high + room || foot > end.low - room);
     return true;
   }
   for (const Cut* cut : {&begin, &end}) {
@@ -316,19 +320,14 @@ bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) con
 }
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
-/// Of an edge along the line each end is on it, at t: with c the cut's edge, the cut is at t + |c t| / D.
 bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
-  if (&cut == &cuts_.front() || &cut == &cuts_.back()) return false;
   const std::size_t operand = operand_ == A ? B : A;
-  const SeenPoint ends[] = {regions_.at(operand, edge), regions_.at(operand, edge + 1)};
-  if (sign(v_, w_, ends[0]) != 0 || sign(v_, w_, ends[1]) != 0) {
-    // As isBefore() sees it.
-    const Cut at{ends[0].exact.pose, {ends[0].exact.local, ends[1].exact.local}, operand, 0, false, false};
+  const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
+  const auto isThere = [&](const SeenPoint& from, const SeenPoint& to) {
+    const Cut at{from.exact.pose, {from.exact.local, to.exact.local}, operand, 0, false, false, 0, 0, 1};
     return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
-  }
-  return std::all_of(std::begin(ends), std::end(ends), [&](const SeenPoint& end) {
-    return orientExact(cut.edge()[0], cut.edge()[1], end.exact) * -cut.turn * side < 0;
-  });
+  };
+  return sign(v_, w_, q) != 0 || sign(v_, w_, r) != 0 ? isThere(q, r) : isThere(q, q) && isThere(r, r);
 }
 
 bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
@@ -354,21 +353,19 @@ bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
   if (crossingDirection(pair, i, j) == 0) return false;
   const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
   const ApproxPoint q = pair.fromB(pair.b.path[j]), r = pair.fromB(pair.b.path[j + 1]);
-  // See EdgeSides::add(). The path of units errs by few U.
-  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, ApproxArea from, ApproxArea to) {
-    const double whole = std::abs(from.area - to.area), bound = from.bound + to.bound;
-    if (!(polygon.fitsUnit() && whole > 4 * bound && whole < 0x1p1000)) return false;
-    const double along = std::abs(from.area) / whole, error = 2 * bound / whole + 4 * kUnitRoundoff;
+  // The path of units errs by few U.
+  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, const Share& place) {
+    if (!polygon.fitsUnit()) return false;
     const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
-    const Vec2 at = begin + along * way;
+    const Vec2 at = begin + place.middle * way;
     bool is_alone = true;
-    forEachEdgeNear(polygon, at, at, error * way.lpNorm<1>(), [&](std::size_t found) {
+    forEachEdgeNear(polygon, at, at, place.error * way.lpNorm<1>(), [&](std::size_t found) {
       return is_alone = found == edge || polygon.path[found] == polygon.path[found + 1];
     });
     return is_alone;
   };
-  return isAlone(pair.a, i, approxArea(q, r, v), approxArea(q, r, w)) &&
-         isAlone(pair.b, j, approxArea(v, w, q), approxArea(v, w, r));
+  return isAlone(pair.a, i, shareOf(approxArea(q, r, v), approxArea(q, r, w))) &&
+         isAlone(pair.b, j, shareOf(approxArea(v, w, q), approxArea(v, w, r)));
 }
 
 }  // namespace tricover::detail

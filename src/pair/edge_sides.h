@@ -24,9 +24,9 @@ class PosedRegions {
   /// that also pieces of the first that aren't beside its inside, nor on another one.
   enum Others { Inside, Outside };
 
-  explicit PosedRegions(const PosedPair& pair) : pairs_{pair} {}
   /// The first with each of the others.
-  PosedRegions(std::vector<PosedPair> pairs, Others sought) : pairs_(std::move(pairs)), sought_(sought) {}
+  explicit PosedRegions(std::vector<PosedPair> pairs, Others sought = Inside)
+      : pairs_(std::move(pairs)), sought_(sought) {}
 
   std::size_t size() const { return pairs_.size() + 1; }
   const PolygonData& polygon(std::size_t i) const { return i == 0 ? pairs_[0].a : pairs_[i - 1].b; }
@@ -47,7 +47,7 @@ class PosedRegions {
 
  private:
   std::vector<PosedPair> pairs_;
-  Others sought_ = Inside;
+  Others sought_;
 };
 
 /// What regions have beside one edge of theirs, piece by piece: the edge is cut where others meet its line, and beside
@@ -94,8 +94,8 @@ class EdgeSides {
     std::size_t operand;
     std::int8_t turn;  ///< what it adds to the winding number of its polygon, as the way crosses it
     bool on_left, on_right;
-    std::int8_t along = 0;     ///< what it adds to the number of edges along the line
-    double low = 0, high = 1;  ///< of its place
+    std::int8_t along;  ///< what it adds to the number of edges along the line
+    double low, high;   ///< of its place; infinite at v and w
   };
   struct Windings {
     void add(const Cut& cut) {
@@ -122,7 +122,7 @@ class EdgeSides {
   void leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const;
   void add(std::size_t operand, std::size_t edge, Way& way);
   void addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r);
-  void addPoint(std::size_t operand, const PosedPoint& point, int along);
+  void addPoint(std::size_t operand, const PosedPoint& point, std::int8_t along, double low, double high);
   void pass(Way& way, const SeenPoint& end, int side, int turn);
   int compareAlong(const SeenPoint& p, const SeenPoint& q) const;
   bool isBefore(const Cut& p, const Cut& q) const;

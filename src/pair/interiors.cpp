@@ -25,7 +25,7 @@ namespace {
 class InteriorSearch {
  public:
   InteriorSearch(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b)
-      : pair_(a, pose_a, b, pose_b), sides_(PosedRegions(pair_)) {}
+      : pair_(a, pose_a, b, pose_b), sides_(PosedRegions({pair_})) {}
 
   bool meet() {
     const UnitPlacement at = pair_.inUnits();

@@ -251,7 +251,7 @@ class RingCover {
   const double tolerance_;
   const Tolerance near_;
   const Pose here_ = Pose::Identity();
-  const PosedRegions itself_{PosedPair(polygon_, here_, polygon_, here_)};
+  const PosedRegions itself_{{PosedPair(polygon_, here_, polygon_, here_)}};
   std::size_t begin_ = 0, count_ = 0, left_ = 0;  ///< of the ring: its first position, its vertices, corners
   std::vector<Corner> corners_;
   std::priority_queue<Proposal> proposals_;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "polygon/edge_walk.h"
 #include "tricover/paper.h"
 
 namespace tricover::detail {
@@ -50,9 +51,7 @@ bool CoveringSum::add(std::size_t edge) {
 }
 
 void CoveringSum::addAll() {
-  for (std::size_t r = 0; r < polygon_.ringCount(); ++r)
-    for (std::size_t e = polygon_.edgeBegin(r); e < polygon_.edgeEnd(r); ++e)
-      if (!add(e)) return;
+  forEachEdge(polygon_, [this](std::size_t edge) { return add(edge); });
 }
 
 Inclusion CoveringSum::result() const {
