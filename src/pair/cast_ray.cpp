@@ -217,10 +217,7 @@ class RayCastAll : private RayCast {
     const bool in_units = bringToUnits();
     if (in_units && passesBy()) return {};
     const RayHit end{1, to(), unitVector(from(), to()), -1};
-    if (from() == to()) {
-      if (!startsInside(in_units)) return {};
-      return {{start(), end}};
-    }
+    if (from() == to()) return std::vector<RayInterval>(startsInside(in_units) ? 1 : 0, {start(), end});
     events_ = {eventAt({nullptr, from()}, kRay, 0), eventAt({nullptr, to()}, kRay, 0)};
     Ray line = ray_;
     const bool is_known = in_units && bringBack(line);
@@ -235,17 +232,13 @@ class RayCastAll : private RayCast {
       const bool begins = !is_open && (isInside() || !is_alone);
       if (begins) {
         intervals.push_back({is_from ? start() : hitOf(i, next, 0), end});
-        if (intervals.size() > 1) keepOrder(intervals.back().begin, intervals.end()[-2].end);
         is_open = true;
       }
       if (is_to) return intervals;
       for (std::size_t k = i; k < next; ++k) winding_ += events_[k].turn, along_ += events_[k].along;
       if (!is_open || isInside()) continue;
       is_open = false;
-      RayInterval& last = intervals.back();
-      last.end = hitOf(i, next, 1);
-      if (begins) last.end.fraction = last.begin.fraction, last.end.point = last.begin.point;
-      keepOrder(last.end, last.begin);
+      intervals.back().end = hitOf(i, next, 1);
     }
   }
 
@@ -314,22 +307,19 @@ class RayCastAll : private RayCast {
     return compareFractionsExact(ray(), p.segment(), q.segment());
   }
 
-  /// The hit at events that are at one place, seen from one end of the ray.
-  RayHit hitOf(std::size_t begin, std::size_t end, int seen_from) const {
+  /// The hit at events that are at one place, seen from one end of the ray. Fractions of different edges at nearly one
+  /// place are rounded each on its own: none is before the last hit's.
+  RayHit hitOf(std::size_t begin, std::size_t end, int seen_from) {
     const auto isLower = [](const Event& p, const Event& q) { return p.edge < q.edge; };
     const Event& lowest = *std::min_element(&events_[begin], &events_[begin] + (end - begin), isLower);
-    return hitAt(lowest.edge, lowest.fraction, seen_from);
-  }
-  /// Fractions of different edges at nearly one place are rounded each on its own.
-  static void keepOrder(RayHit& hit, const RayHit& before) {
-    if (hit.fraction > before.fraction) return;
-    hit.fraction = before.fraction;
-    hit.point = before.point;
+    reached_ = begin == 0 ? 0 : std::max(lowest.fraction, reached_);
+    return hitAt(lowest.edge, reached_, seen_from);
   }
 
   std::vector<Event> events_;
   int winding_ = 0;  ///< on the left, before the next events
   int along_ = 0;    ///< how many edges run along the line there
+  double reached_ = 0;
 };
 
 }  // namespace

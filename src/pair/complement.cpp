@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -94,24 +95,21 @@ struct BorderPieces {
 
   /// Rings of all pieces. An even number of them ends at each point, so that a walk ends where it began.
   std::vector<Ring> rings() const {
-    std::map<Place, std::vector<std::size_t>> at;
+    std::map<Place, std::set<std::size_t>> left;  // pieces by their ends
     for (std::size_t k = 0; k < all.size(); ++k)
-      for (const Place& end : {all[k].v, all[k].w}) at[end].push_back(k);
-    std::vector<bool> is_used(all.size(), false);
+      for (const Place& end : {all[k].v, all[k].w}) left[end].insert(k);
     std::vector<Ring> rings;
     for (std::size_t first = 0; first < all.size(); ++first) {
-      if (is_used[first]) continue;
+      if (left[all[first].v].count(first) == 0) continue;
       rings.emplace_back();
       Place point = all[first].v;
       for (std::size_t k = first;;) {
-        is_used[k] = true;
         rings.back().push_back(Vec2(point.data()));
+        for (const Place& end : {all[k].v, all[k].w}) left[end].erase(k);
         point = all[k].v == point ? all[k].w : all[k].v;
         if (point == all[first].v) break;
         // The next piece of the same ring leads on, or else any.
-        std::vector<std::size_t>& here = at[point];
-        here.erase(std::remove_if(here.begin(), here.end(), [&](std::size_t p) { return is_used[p]; }), here.end());
-        k = std::count(here.begin(), here.end(), k + 1) != 0 ? k + 1 : here.front();
+        k = left[point].count(k + 1) != 0 ? k + 1 : *left[point].begin();
       }
     }
     return rings;
