@@ -218,7 +218,7 @@ class RayCastAll : private RayCast {
     if (in_units && passesBy()) return {};
     const RayHit end{1, to(), unitVector(from(), to()), -1};
     if (from() == to()) return std::vector<RayInterval>(startsInside(in_units) ? 1 : 0, {start(), end});
-    events_ = {eventAt({nullptr, from()}, kRay, 0), eventAt({nullptr, to()}, kRay, 0)};
+    events_ = {{nullptr, {from(), from()}, kRay, 0, 0, 0}, {nullptr, {to(), to()}, kRay, 1, 0, 0}};
     Ray line = ray_;
     const bool is_known = in_units && bringBack(line);
     forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](std::size_t edge) { return add(edge), true; });

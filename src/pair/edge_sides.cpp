@@ -184,16 +184,15 @@ void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
                    place.middle + place.error});
 }
 
-/// An edge along the line, or a point on it.
+/// An edge along the line, or a point on it: from its first end on there is one more, from its last end on one less.
 void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r) {
   const int direction = compareAlong(q, r);
-  const SeenPoint &begin = direction > 0 ? q : r, &end = direction > 0 ? r : q;
-  if (direction == 0 || compareAlong(v_, end) <= 0 || compareAlong(begin, w_) <= 0) return;
-  if (compareAlong(v_, begin) <= 0)
-    ++windings_.at(operand).along;
-  else
-    addPoint(operand, begin.exact, 1, 0, 1);
-  if (compareAlong(end, w_) > 0) addPoint(operand, end.exact, -1, 0, 1);
+  for (const auto& [end, along] : {std::pair(&q, direction), std::pair(&r, -direction)}) {
+    if (compareAlong(*end, v_) >= 0)
+      windings_.at(operand).along += along;
+    else if (compareAlong(*end, w_) > 0)
+      addPoint(operand, end->exact, static_cast<std::int8_t>(along), 0, 1);
+  }
 }
 
 void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, std::int8_t along, double low, double high) {
@@ -346,7 +345,7 @@ bool EdgeSides::bordersBothAt(std::size_t edge) const {
 const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
   if (const EdgeSides* known = ifKnown(operand, edge)) return *known;
   const EdgeSides* before = ifKnown(operand, edgesAt(regions_.polygon(operand), edge).before);
-  return known_.insert({{operand, edge}, EdgeSides(regions_, operand, edge, before)}).first->second;
+  return known_.try_emplace({operand, edge}, regions_, operand, edge, before).first->second;
 }
 
 bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
