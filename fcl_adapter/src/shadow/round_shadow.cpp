@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fcl/geometry/shape/capsule.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/ellipsoid.h>
-#include <fcl/geometry/shape/sphere.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +8,7 @@
 #include <vector>
 
 #include "shadow/shadow.h"
+#include "shadow/stadium.h"
 #include "shape/errors.h"
 
 namespace tricover_fcl {
@@ -181,33 +178,16 @@ bool RoundOutline::halveCaps() {
 
 template <typename S>
 RoundBody bodyOf(const fcl::CollisionGeometry<S>& shape) {
-  const auto ball = [](S radius) { return Eigen::Vector3d::Constant(static_cast<double>(radius)).eval(); };
-  const auto disc = [](S radius) {
-    return Eigen::Vector3d(static_cast<double>(radius), static_cast<double>(radius), 0);
-  };
-  const auto half = [](S length) { return 0.5 * static_cast<double>(length); };
-  switch (shape.getNodeType()) {
-    case fcl::GEOM_SPHERE: {
-      const auto& sphere = static_cast<const fcl::Sphere<S>&>(shape);
-      return {0, ball(sphere.radius), ball(sphere.radius)};
-    }
-    case fcl::GEOM_ELLIPSOID: {
-      const Eigen::Vector3d radii = static_cast<const fcl::Ellipsoid<S>&>(shape).radii.template cast<double>();
-      return {0, radii, radii};
-    }
-    case fcl::GEOM_CAPSULE: {
-      const auto& capsule = static_cast<const fcl::Capsule<S>&>(shape);
-      return {half(capsule.lz), ball(capsule.radius), ball(capsule.radius)};
-    }
-    case fcl::GEOM_CONE: {
-      const auto& cone = static_cast<const fcl::Cone<S>&>(shape);
-      return {half(cone.lz), disc(cone.radius), Eigen::Vector3d::Zero()};
-    }
-    default: {
-      const auto& cylinder = static_cast<const fcl::Cylinder<S>&>(shape);
-      return {half(cylinder.lz), disc(cylinder.radius), disc(cylinder.radius)};
-    }
+  const fcl::NODE_TYPE type = shape.getNodeType();
+  if (type == fcl::GEOM_ELLIPSOID) {
+    const Eigen::Vector3d radii = static_cast<const fcl::Ellipsoid<S>&>(shape).radii.template cast<double>();
+    if (!radii.allFinite()) refuse(className(typeid(shape)), "a radius is not finite");
+    return {0, radii, radii};
   }
+  const auto [radius, half_height] = roundSizeOf(shape);
+  const bool is_flat = type == fcl::GEOM_CONE || type == fcl::GEOM_CYLINDER;
+  const Eigen::Vector3d bottom(radius, radius, is_flat ? 0 : radius);
+  return {half_height, bottom, type == fcl::GEOM_CONE ? Eigen::Vector3d(0, 0, 0) : bottom};
 }
 
 }  // namespace
@@ -215,8 +195,6 @@ RoundBody bodyOf(const fcl::CollisionGeometry<S>& shape) {
 template <typename S>
 std::optional<Shadow> makeRoundShadow(const fcl::CollisionGeometry<S>& shape, const View& view) {
   const RoundBody body = bodyOf(shape);
-  if (!(std::isfinite(body.half_height) && body.bottom.allFinite() && body.top.allFinite()))
-    refuse(className(typeid(shape)), "a radius or its length is not finite");
   const double rounding = mappingError(view.to_polygon, body.reach());
   const Slab slab = grown(view.slab, rounding);
   const Eigen::Vector3d up = view.to_polygon.linear().row(2).transpose();

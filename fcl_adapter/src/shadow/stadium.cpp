@@ -2,6 +2,7 @@
 #include "shadow/stadium.h"
 
 #include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 
@@ -94,37 +95,41 @@ const tricover::Polygon& originPoint() {
 }
 
 template <typename S>
-std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<S>& geometry, const Vec3& center, const Vec3& axis,
-                                 const Slab& slab, double rounding, double rounding_z) {
-  const RoundPlace place{center, axis, slab, rounding, rounding_z};
-  const auto sizes = [&](S radius, S length) {
-    const Vec2 both(static_cast<double>(radius), 0.5 * static_cast<double>(length));
-    if (!both.allFinite()) refuse(className(typeid(geometry)), "a radius or its length is not finite");
-    return both;
+RoundSize roundSizeOf(const fcl::CollisionGeometry<S>& geometry) {
+  const auto size = [&](S radius, S length) -> RoundSize {
+    if (!std::isfinite(radius) || !std::isfinite(length))
+      refuse(className(typeid(geometry)), "a radius or its length is not finite");
+    return {static_cast<double>(radius), 0.5 * static_cast<double>(length)};
   };
+  const auto sizeOf = [&](const auto& shape) { return size(shape.radius, shape.lz); };
   switch (geometry.getNodeType()) {
-    case fcl::GEOM_SPHERE: {
-      const Vec2 size = sizes(static_cast<const fcl::Sphere<S>&>(geometry).radius, 0);
-      return ofBalls(size.x(), 0, place);
-    }
-    case fcl::GEOM_CAPSULE: {
-      const auto& capsule = static_cast<const fcl::Capsule<S>&>(geometry);
-      const Vec2 size = sizes(capsule.radius, capsule.lz);
-      return ofBalls(size.x(), size.y(), place);
-    }
-    case fcl::GEOM_CYLINDER: {
-      const auto& cylinder = static_cast<const fcl::Cylinder<S>&>(geometry);
-      const Vec2 size = sizes(cylinder.radius, cylinder.lz);
-      return ofCylinder(size.x(), size.y(), place);
-    }
+    case fcl::GEOM_SPHERE:
+      return size(static_cast<const fcl::Sphere<S>&>(geometry).radius, 0);
+    case fcl::GEOM_CAPSULE:
+      return sizeOf(static_cast<const fcl::Capsule<S>&>(geometry));
+    case fcl::GEOM_CONE:
+      return sizeOf(static_cast<const fcl::Cone<S>&>(geometry));
     default:
-      return std::nullopt;
+      return sizeOf(static_cast<const fcl::Cylinder<S>&>(geometry));
   }
 }
 
-template std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<float>&, const Vec3&, const Vec3&, const Slab&,
-                                          double, double);
-template std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<double>&, const Vec3&, const Vec3&, const Slab&,
-                                          double, double);
+template <typename S>
+std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<S>& geometry, const Vec3& center, const Vec3& axis,
+                                 const Slab& slab, double rounding, double rounding_z) {
+  const RoundPlace place{center, axis, slab, rounding, rounding_z};
+  const fcl::NODE_TYPE type = geometry.getNodeType();
+  if (type != fcl::GEOM_SPHERE && type != fcl::GEOM_CAPSULE && type != fcl::GEOM_CYLINDER) return std::nullopt;
+  const auto [radius, half_height] = roundSizeOf(geometry);
+  return type == fcl::GEOM_CYLINDER ? ofCylinder(radius, half_height, place) : ofBalls(radius, half_height, place);
+}
+
+#define TRICOVER_INSTANTIATE(S)                                                                                      \
+  template RoundSize roundSizeOf(const fcl::CollisionGeometry<S>&);                                                  \
+  template std::optional<Stadium> stadiumOf(const fcl::CollisionGeometry<S>&, const Vec3&, const Vec3&, const Slab&, \
+                                            double, double);
+TRICOVER_INSTANTIATE(float)
+TRICOVER_INSTANTIATE(double)
+#undef TRICOVER_INSTANTIATE
 
 }  // namespace tricover_fcl

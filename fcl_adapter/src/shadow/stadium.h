@@ -13,6 +13,15 @@ namespace tricover_fcl {
 /// The polygon of all discs: the origin.
 const tricover::Polygon& originPoint();
 
+/// The sizes of a sphere, capsule, cone or cylinder.
+struct RoundSize {
+  double radius, half_height;
+};
+
+/// Throws std::invalid_argument, naming the class, unless both are finite.
+template <typename S>
+RoundSize roundSizeOf(const fcl::CollisionGeometry<S>& geometry);
+
 /// The part of a round geometry in a slab, seen along z, where that is a disc or a stadium: a point or a segment with a
 /// margin. The heights are those that the geometry and the slab share, kNoHeights where there is none.
 struct Stadium {
