@@ -137,5 +137,27 @@ TEST_P(MarginOracle, MarginIsExactAndToleranceKeepsItsPromise) {
 INSTANTIATE_TEST_SUITE_P(Families, MarginOracle, testing::ValuesIn(families()),
                          [](const auto& family) { return family.param.name; });
 
+/// The discs around points have no radius that would make up for how far off their centres are.
+TEST(Margins, OfPointsFarFromTheirOrigins) {
+  int queries = 0, hits = 0;
+  StrategyCaches caches;
+  for (int i = 0; i < scaledCount(kCases); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const auto farPoint = [&] { return Vec2(random.real(-1e6, 1e6), random.real(-1e6, 1e6)); };
+    const Vec2 p = farPoint(), q = farPoint();
+    Case c{point(p), randomPose(random, 1e6), point(q), randomPose(random, 1)};
+    c.pose_b.translation() += c.pose_a * p - c.pose_b.linear() * q;
+    const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
+    for (const double length : lengthsAround(random, squared, 1)) {
+      ++queries;
+      hits += exact::within(squared, mpq_class(length));
+      ASSERT_EQ(wrongAt(c, squared, length, caches, random), "") << i << ", length " << hex(length) << "\n"
+                                                                 << reproduction(c);
+    }
+  }
+  EXPECT_GE(hits, 0.2 * queries);
+  EXPECT_LE(hits, 0.95 * queries);
+}
+
 }  // namespace
 }  // namespace tricover::support

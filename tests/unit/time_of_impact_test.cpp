@@ -12,6 +12,7 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -463,6 +464,19 @@ TEST(TimeOfImpact, NamesTheEdgesOfDividedSides) {
   EXPECT_EQ(edgeAt(1.5), 4);
   EXPECT_EQ(edgeAt(0.5), 6);
   EXPECT_EQ(edgeAt(0.125), 7);
+}
+
+/// From so far that squares of lengths, in lengths of the way, are no doubles any more.
+TEST(TimeOfImpact, OfAPointThatComesFromVeryFar) {
+  for (const Polygon& a : {Polygon({regular(8, 1)}), Polygon({comb(3, 1, 0.5, 2)})}) {
+    for (int exponent = 60; exponent <= 1000; exponent += 20) {
+      const double far = std::ldexp(1.0, exponent);
+      Motion motion = Motion::still(pose(0, -far, 0.25));
+      motion.shift = Vec2(2 * far, 0);
+      SCOPED_TRACE(exponent);
+      expectImpact(a, Motion::still(Pose::Identity()), point({0, 0}), motion, 0.5);
+    }
+  }
 }
 
 }  // namespace
