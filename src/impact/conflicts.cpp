@@ -8,10 +8,12 @@
 #include "impact/options.h"
 #include "impact/vertex_paths.h"
 #include "numbers/rigidity.h"
+#include "pair/allowed_overlap.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
+#include "polygon/convexity.h"
 #include "tricover/collide.h"
 
 namespace tricover {
@@ -50,14 +52,24 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, 1e-9)),
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
-      touch_margin_(margin_ < 0 ? margin_ : margin_ + precision_),
+      touch_margin_(margin_ < 0 ? margin_ + 2 * precision_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
       speed_(mostSpeed(pair_)) {
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
 
+std::vector<Contact> MovingContact::overlapAt(double time) const {
+  return allowedOverlap(a_, motion_a_.at(time), b_, motion_b_.at(time), -margin_, 2 * precision_);
+}
+
+double MovingContact::depthAt(double time) const {
+  if (depth_.first != time) depth_ = {time, depthOf(overlapAt(time))};
+  return depth_.second;
+}
+
 bool MovingContact::touchAt(double time) const {
+  if (margin_ < 0) return depthAt(time) > 0 && depthAt(time) >= -touch_margin_;
   return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {touch_margin_, 0});
 }
 
@@ -78,7 +90,11 @@ struct MovingContact::Posed {
 /// time, as no two points approach or separate by more than `travel`; or by features.
 bool MovingContact::meetUntil(double time, double next) const {
   const double travel = speed_ * (next - time) * kSpared;
-  if (margin_ < 0) return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {margin_ - travel, 0});
+  if (margin_ < 0) {
+    // The depth of convex polygons that slide is concave in time, so that it is least at one of both times.
+    const bool is_concave = pair_.slides() && cornersOf(a_.data()) != nullptr && cornersOf(b_.data()) != nullptr;
+    return depthAt(time) >= travel - margin_ || (is_concave && touchAt(time) && touchAt(next));
+  }
   const Posed posed(pair_, time);
   if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;
   const Outcome found =

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "impact/moving_pair.h"
 #include "tricover/conflicts.h"
+#include "tricover/contacts.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::detail {
@@ -34,6 +38,8 @@ class MovingContact {
  private:
   friend class DeepImpact;
   struct Posed;
+  std::vector<Contact> overlapAt(double time) const;  ///< with a negative margin
+  double depthAt(double time) const;                  ///< likewise
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
   bool staysContained(double time, double next, double travel) const;
@@ -44,8 +50,9 @@ class MovingContact {
   const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
   double precision_;            ///< of where points are
   double touch_margin_;         ///< within which they touch
-  int steps_left_;              ///< of endOfContact(), for all contacts together
-  double speed_;                ///< no point of one moves faster against the other one
+  mutable std::pair<double, double> depth_{-1, 0};  ///< the last time and depth
+  int steps_left_;                                  ///< of endOfContact(), for all contacts together
+  double speed_;                                    ///< no point of one moves faster against the other one
 };
 
 /// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If

@@ -78,7 +78,6 @@ class DeepImpact {
   DeepImpact(const MovingContact& pair, double allowed) : pair_(pair), allowed_(allowed) {}
 
   std::optional<Impact> find() {
-    if (pair_.touchAt(0)) return impactHere(overlapNow());
     touchAll(overlapNow());
     for (int step = 0; step < kMostSteps; ++step) {
       Room room = widestRoom(touches_, allowed_, true);
@@ -88,7 +87,7 @@ class DeepImpact {
         continue;
       }
       const std::vector<Contact> overlap = overlapNow();
-      const double depth = overlap.empty() ? 0 : overlap.front().depth;
+      const double depth = depthOf(overlap);
       // After a proven interval an impact is as early as ordinary ones are.
       if (depth >= allowed_ - (has_advanced_ ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
       if (time_ >= 1) return std::nullopt;
@@ -96,6 +95,7 @@ class DeepImpact {
       if (!advanceShrunk()) return ended();
       time_ = std::max(time_, last + std::max(allowed_ - depth, pair_.precision_) / pair_.speed_);
       time_ = std::min(time_, 1.0);
+      has_advanced_ = true;
       touchAll(overlapNow());
     }
     Impact impact = impactHere(overlapNow());
@@ -104,10 +104,7 @@ class DeepImpact {
   }
 
  private:
-  std::vector<Contact> overlapNow() const {
-    const Pose pose_a = pair_.motion_a_.at(time_), pose_b = pair_.motion_b_.at(time_);
-    return allowedOverlap(pair_.a_, pose_a, pair_.b_, pose_b, allowed_ - 2 * pair_.precision_);
-  }
+  std::vector<Contact> overlapNow() const { return pair_.overlapAt(time_); }
 
   void touchAll(const std::vector<Contact>& overlap) {
     touches_.clear();

@@ -163,8 +163,8 @@ Flight trajectories(Random& random) {
           -random.real(0.001, 0.05)};
 }
 
-/// The local depth jumps where components join or separate, as those of notched polygons do seldom. What is proven by
-/// the depth then ends too late, or begins too late.
+/// The local depth jumps where components join or separate, as trajectories of stars do in 1 of 2,000 cases. What is
+/// proven by the depth then ends too late, or begins too late.
 struct Kind {
   const char* name;
   Flight (*make)(Random& random);
@@ -173,7 +173,7 @@ struct Kind {
 constexpr Kind kKinds[] = {{"floors", floors, false},
                            {"turns", turns, false},
                            {"splines", splines, false},
-                           {"combs", combs, true},
+                           {"combs", combs, false},
                            {"trajectories", trajectories, true}};
 
 TEST(NegativeMarginOracle, ConflictsAreWhereDepthsSaySo) {

@@ -47,20 +47,27 @@ TEST(ImpactBudget, EndsWithTheProvenTime) {
   EXPECT_FALSE(timeOfImpact(fan(20, -1), kStill, fan(20, 1), up).has_value());
 }
 
-/// Two squares slide along each other exactly as deep as is allowed: each step proves no more than its own length.
+/// A square slides along the straight side of a concave polygon exactly as deep as is allowed: each step proves no more
+/// than its own length. Along a convex one, both ends tell.
 TEST(ImpactBudget, EndsWithConflictsThatStayUnknown) {
+  const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
   const Motion beside = Motion::translation(pose(0, 1.875, -0.5), {0, 1});
-  const auto impact = timeOfImpact(kSquare, kStill, kSquare, beside, {-0.125, 0, true});
-  ASSERT_TRUE(impact.has_value());
-  EXPECT_TRUE(impact->budget_ended);
-  EXPECT_GT(impact->time, 0);
-  EXPECT_LE(impact->time, 1);
-  const std::vector<Conflict> all = conflicts(kSquare, kStill, kSquare, beside, {-0.125, 0});
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(all[0].budget_ended);
-  EXPECT_FALSE(all[0].impact.budget_ended);
-  EXPECT_EQ(all[0].impact.time, 0);
-  EXPECT_EQ(all[0].end, 1);
+  for (const Polygon& a : {notched, kSquare}) {
+    const bool is_known = a.edgeCount() == 4;
+    const auto impact = timeOfImpact(a, kStill, kSquare, beside, {-0.125, 0, true});
+    ASSERT_EQ(impact.has_value(), !is_known);
+    if (impact) {
+      EXPECT_TRUE(impact->budget_ended);
+      EXPECT_GT(impact->time, 0);
+      EXPECT_LE(impact->time, 1);
+    }
+    const std::vector<Conflict> all = conflicts(a, kStill, kSquare, beside, {-0.125, 0});
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].budget_ended, !is_known);
+    EXPECT_FALSE(all[0].impact.budget_ended);
+    EXPECT_EQ(all[0].impact.time, 0);
+    EXPECT_EQ(all[0].end, 1);
+  }
 }
 
 }  // namespace

@@ -386,5 +386,21 @@ TEST(NegativeMargin, PosesOffRigidTheTinyAndTheHuge) {
   }
 }
 
+TEST(NegativeMargin, SlidesExactlyAsDeepAsIsAllowed) {
+  for (const double error : kErrors)
+    for (const double overlap : {1e-6, 0.05, 0.25})
+      for (const double off : {0.0, 1e-17, -1e-17, 1e-13, -1e-13}) {
+        SCOPED_TRACE(::testing::Message() << "time error " << error << ", allowed " << overlap << ", off " << off);
+        const Motion slides = slide(-2, 1 - overlap + off, {4, 0});
+        const auto found = conflicts(kFloor, still(0, 0), kCrate, slides, allowing(overlap, error));
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_LE(found[0].impact.time, 1e-11);
+        EXPECT_EQ(found[0].end, 1);
+        EXPECT_FALSE(found[0].budget_ended);
+        for (const Polygon* floor : {&kFloor, &kRoom})
+          expectImpact(timeOfImpact(*floor, still(0, 0), kCrate, slides, allowing(overlap, error)), 0, error);
+      }
+}
+
 }  // namespace
 }  // namespace tricover::support
