@@ -188,8 +188,8 @@ class ConvexAdvancement {
   }
   void place(const TimeInterval& interval) {
     const bool at_end = time_ == interval.end;
-    if (pair_.a.rotates) at_a_ = at_end ? interval.a.to(interval.a, true) : pair_.a.places(time_, time_);
-    at_b_ = at_end ? interval.b.to(interval.b, true) : pair_.b.places(time_, time_);
+    if (pair_.a.rotates) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
+    at_b_ = at_end ? interval.b.atEnd() : pair_.b.places(time_, time_);
   }
   NearestPoints nearestNow() const { return nearest(at_a_, at_b_, 0); }
   NearestPoints nearest(const Places& a, const Places& b, int lane) const {
@@ -308,8 +308,7 @@ bool isConvexPair(const MovingPair& pair) {
   const auto isConvex = [](const PolygonData& p) { return p.isDegenerate() || cornersOf(p) != nullptr; };
   if (!isConvex(*pair.a.polygon) || !isConvex(*pair.b.polygon)) return false;
   // A point is followed for less.
-  return pair.isInRange() ? !pair.b.polygon->isPoint()
-                          : pair.is_steady && !pair.a.rotates && !pair.b.rotates && pair.error < 1;
+  return pair.isInRange() ? !pair.b.polygon->isPoint() : pair.slides() && pair.error < 1;
 }
 
 FirstContact advanceAlongAxis(const MovingPair& pair, double begin, double time_error) {

@@ -22,9 +22,14 @@ struct Places {
 
   /// From S to another mover's, at the begin.
   Vec2 originTo(const Places& other) const { return {other.x[0] - x[0], other.y[0] - y[0]}; }
-  /// From its begin, or its end, to another's end.
-  Places to(const Places& other, bool from_end = false) const {
-    const auto ends = [=](Double2 from, Double2 until) { return Double2{from[from_end ? 1 : 0], until[1]}; };
+  /// At its end, in either lane.
+  Places atEnd() const {
+    const auto end = [](Double2 v) { return Double2{v[1], v[1]}; };
+    return {end(m00), end(m10), end(m01), end(m11), end(x), end(y), end(pivot_x), end(pivot_y)};
+  }
+  /// From its begin to another's end.
+  Places to(const Places& other) const {
+    const auto ends = [](Double2 from, Double2 until) { return Double2{from[0], until[1]}; };
     return {ends(m00, other.m00), ends(m10, other.m10), ends(m01, other.m01),         ends(m11, other.m11),
             ends(x, other.x),     ends(y, other.y),     ends(pivot_x, other.pivot_x), ends(pivot_y, other.pivot_y)};
   }
@@ -134,6 +139,9 @@ struct MovingPair {
 
   /// Whether the discs around the pivots stay farther apart than the margin for all of the time.
   bool discsStayApart() const;
+
+  /// Whether no direction changes, nor any velocity.
+  bool slides() const { return is_steady && !a.rotates && !b.rotates; }
 
   /// Whether paths may be followed in doubles. A point b has no lengths.
   bool isInRange() const { return error < 1 && a.isInRange() && (b.polygon->isPoint() || b.isInRange()); }
