@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "hierarchy/edges_on_ray.h"
 #include "hierarchy/inclusion.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/four_ends.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "hierarchy/edges_on_ray.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/coverage.h"
@@ -28,7 +28,10 @@ class CoverSearch {
   bool isCovered() {
     for (std::size_t ring = 0; ring < part_.ringCount(); ++ring) {
       const std::size_t begin = part_.edgeBegin(ring);
-      if (beginsPoint(part_, begin) && !isOnSome(part_.path[begin])) return false;
+      const auto holdsBegin = [&](const PosedPair& pair) {
+        return locateInA(pair.back(), part_.path[begin]) != Location::Outside;
+      };
+      if (beginsPoint(part_, begin) && std::none_of(pairs_.begin(), pairs_.end(), holdsBegin)) return false;
       for (std::size_t edge = begin; edge < part_.edgeEnd(ring); ++edge)
         if (sides_.of(EdgeSides::A, edge).hasSought()) return false;
     }
@@ -55,11 +58,6 @@ class CoverSearch {
   }
 
  private:
-  bool isOnSome(const Vec2& point) const {
-    return std::any_of(pairs_.begin(), pairs_.end(),
-                       [&](const PosedPair& pair) { return locateInA(pair.back(), point) != Location::Outside; });
-  }
-
   /// Asks those edges of an area that may be inside of the part.
   bool hasGapBeside(std::size_t area) {
     const PosedPair seen = pairs_[area - 1].back();

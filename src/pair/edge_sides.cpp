@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hierarchy/edges_on_ray.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/four_ends.h"

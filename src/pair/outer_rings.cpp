@@ -8,8 +8,8 @@
 #include <limits>
 #include <queue>
 
-#include "hierarchy/edges_on_ray.h"
 #include "hierarchy/inclusion.h"
+#include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
 #include "pair/edge_sides.h"
