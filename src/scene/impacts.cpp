@@ -148,6 +148,7 @@ ImpactOptions withMargin(ImpactOptions options, double margin) {
 template <typename Path>
 std::optional<BodyImpact> firstImpactOn(const Path& path, const Polygon& polygon, const ImpactOptions& options,
                                         const SceneState& state, const BodyFilter& filter) {
+  detail::checkOptions(options);
   const Sweep sweep(polygon, legsOf(path), options.margin);
   std::optional<BodyImpact> best;
   const detail::SlotFilter slots = state.slots(filter);
@@ -182,14 +183,12 @@ std::optional<BodyImpact> firstImpactOn(const Path& path, const Polygon& polygon
 
 std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options,
                                              const BodyFilter& filter) const {
-  detail::checkOptions(options);
   checkMotion(motion);
   return firstImpactOn(motion, polygon, options, impl_->settled(), filter);
 }
 
 std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Trajectory& trajectory,
                                              const ImpactOptions& options, const BodyFilter& filter) const {
-  detail::checkOptions(options);
   return firstImpactOn(trajectory, polygon, options, impl_->settled(), filter);
 }
 
@@ -261,11 +260,19 @@ std::vector<std::uint32_t> motionsOf(const SceneState& state, const std::vector<
 const Impact& impactOf(const PairImpact& found) { return found.impact; }
 const Impact& impactOf(const PairConflict& found) { return found.conflict.impact; }
 
-/// Calls query(list, pair, polygon, moving, polygon, moving, options) for each pair that may meet, in parallel. Returns
-/// what they add to the lists, by time and then by handles. `motions` are BodyMotions or BodyTrajectories.
-template <typename Found, typename Moving, typename Query>
+void add(const BodyPair& pair, const std::optional<Impact>& found, std::vector<PairImpact>& all) {
+  if (found) all.push_back({pair, *found});
+}
+void add(const BodyPair& pair, const std::vector<Conflict>& found, std::vector<PairConflict>& all) {
+  for (const Conflict& conflict : found) all.push_back({pair, conflict});
+}
+
+/// Calls query(polygon, moving, polygon, moving, options) for each pair that may meet, in parallel. Returns what is
+/// found, by time and then by handles. `motions` are BodyMotions or BodyTrajectories.
+template <typename Found, typename Answer, typename Moving, typename Query>
 std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* name, const SceneState& state,
                               const ImpactOptions& options, const Parallel& parallel, const Query& query) {
+  detail::checkOptions(options);
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
   const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
   // One body of a pair may stand still while the other one moves.
@@ -274,12 +281,15 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
     if (own < motions.size()) return motions[own];
     return {state.handleOf(slot), stillBeside(pathOf(motions[motion_of[other]]), state.bodies[slot].pose)};
   };
-  auto all = detail::gatherInParallel<Found, 1>(parallel, pairs.size(), [&](std::size_t i, std::vector<Found>& list) {
+  std::vector<Answer> answers(pairs.size());
+  detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
     const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    query(list, pairs[i], p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
+    answers[i] = query(p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
   });
+  std::vector<Found> all;
+  for (std::size_t i = 0; i < pairs.size(); ++i) add(pairs[i], answers[i], all);
   std::stable_sort(all.begin(), all.end(),
                    [](const Found& p, const Found& q) { return impactOf(p).time < impactOf(q).time; });
   return all;
@@ -293,39 +303,30 @@ detail::TimedBody timed(const BodyTrajectory& moving, const ImpactOptions& optio
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options,
                                        const Parallel& parallel) const {
-  detail::checkOptions(options);
-  const SceneState& state = impl_->settled();
   for (std::size_t i = 0; i < motions.size(); ++i)
     checkMotion(motions[i].motion, ("motions[" + std::to_string(i) + "]").c_str());
-  return queryPairs<PairImpact>(motions, "motions", state, options, parallel,
-                                [](auto& list, const BodyPair& pair, const Polygon& p, const BodyMotion& moving_p,
-                                   const Polygon& q, const BodyMotion& moving_q, const ImpactOptions& both) {
-                                  if (const auto found = timeOfImpact(p, moving_p.motion, q, moving_q.motion, both))
-                                    list.push_back({pair, *found});
-                                });
+  return queryPairs<PairImpact, std::optional<Impact>>(
+      motions, "motions", impl_->settled(), options, parallel,
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return timeOfImpact(p, moving_p.motion, q, moving_q.motion, both);
+      });
 }
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options,
                                        const Parallel& parallel) const {
-  detail::checkOptions(options);
-  return queryPairs<PairImpact>(
+  return queryPairs<PairImpact, std::optional<Impact>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](auto& list, const BodyPair& pair, const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
-         const BodyTrajectory& moving_q, const ImpactOptions& both) {
-        if (const auto found = detail::timeOfImpact(p, timed(moving_p, both), q, timed(moving_q, both), both))
-          list.push_back({pair, *found});
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return detail::timeOfImpact(p, timed(moving_p, both), q, timed(moving_q, both), both);
       });
 }
 
 std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& trajectories,
                                            const ImpactOptions& options, const Parallel& parallel) const {
-  detail::checkOptions(options);
-  return queryPairs<PairConflict>(
+  return queryPairs<PairConflict, std::vector<Conflict>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](auto& list, const BodyPair& pair, const Polygon& p, const BodyTrajectory& moving_p, const Polygon& q,
-         const BodyTrajectory& moving_q, const ImpactOptions& both) {
-        for (const Conflict& found : detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both))
-          list.push_back({pair, found});
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both);
       });
 }
 

@@ -22,19 +22,19 @@ void inParallel(const Parallel& parallel, std::size_t count, const Task& task) {
 constexpr std::size_t kChunk = 512;
 
 /// Does the same in chunks.
-template <std::size_t kSize = kChunk, typename Task>
+template <typename Task>
 void inParallelTasks(const Parallel& parallel, std::size_t count, const Task& task) {
-  inParallel(parallel, (count + kSize - 1) / kSize, [&](std::size_t chunk) {
-    const std::size_t end = std::min((chunk + 1) * kSize, count);
-    for (std::size_t i = chunk * kSize; i < end; ++i) task(i);
+  inParallel(parallel, (count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    const std::size_t end = std::min((chunk + 1) * kChunk, count);
+    for (std::size_t i = chunk * kChunk; i < end; ++i) task(i);
   });
 }
 
 /// Returns what gather(i, list) adds to lists, in the order of i, whatever runs it.
-template <typename Found, std::size_t kSize = kChunk, typename Gather>
+template <typename Found, typename Gather>
 std::vector<Found> gatherInParallel(const Parallel& parallel, std::size_t count, const Gather& gather) {
-  std::vector<std::vector<Found>> lists((count + kSize - 1) / kSize);
-  inParallelTasks<kSize>(parallel, count, [&](std::size_t i) { gather(i, lists[i / kSize]); });
+  std::vector<std::vector<Found>> lists((count + kChunk - 1) / kChunk);
+  inParallelTasks(parallel, count, [&](std::size_t i) { gather(i, lists[i / kChunk]); });
   std::vector<Found> all;
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
