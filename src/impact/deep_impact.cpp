@@ -31,7 +31,6 @@ constexpr int kMostAtOnce = 8;
 struct Touch {
   Vec2 normal;
   double depth;
-  bool is_now;  ///< found at the present time
 };
 
 struct Room {
@@ -40,11 +39,9 @@ struct Room {
 };
 
 /// The translation, no longer than `most`, that leaves the most room. It is along a normal, or as far as it may be and
-/// equally far from two touches, or equally far from three.
-Room widestRoom(const std::vector<Touch>& touches, double most, bool only_now) {
-  std::vector<Touch> all;
-  for (const Touch& touch : touches)
-    if (touch.is_now || !only_now) all.push_back({touch.normal, touch.depth / most, touch.is_now});
+/// equally far from two touches.
+Room widestRoom(std::vector<Touch> all, double most) {
+  for (Touch& touch : all) touch.depth /= most;
   Room best{Vec2::Zero(), -std::numeric_limits<double>::infinity()};
   const auto offer = [&](const Vec2& shift) {
     double left = std::numeric_limits<double>::infinity();
@@ -60,11 +57,6 @@ Room widestRoom(const std::vector<Touch>& touches, double most, bool only_now) {
       const Vec2 middle = u * (c / square), aside = Vec2(-u.y(), u.x()).normalized();
       const double reach = std::sqrt(std::max(1 - middle.squaredNorm(), 0.0));
       for (const double side : {-reach, reach}) offer(middle + side * aside);
-      for (std::size_t k = 0; k < j; ++k) {
-        const Vec2 v = all[i].normal - all[k].normal;
-        const double d = all[i].depth - all[k].depth, area = u.x() * v.y() - u.y() * v.x();
-        offer(Vec2(c * v.y() - d * u.y(), d * u.x() - c * v.x()) / area);
-      }
     }
   }
   return {best.shift * most, best.left * most};
@@ -80,8 +72,7 @@ class DeepImpact {
   std::optional<Impact> find() {
     touchAll(overlapNow());
     for (int step = 0; step < kMostSteps; ++step) {
-      Room room = widestRoom(touches_, allowed_, true);
-      if (const Room also = widestRoom(touches_, allowed_, false); also.left > 0.25 * room.left) room = also;
+      const Room room = widestRoom(touches_, allowed_);
       if (room.left > pair_.precision_ && at_once_ < kMostAtOnce) {
         if (!advance(room.shift)) return ended();
         continue;
@@ -110,7 +101,7 @@ class DeepImpact {
     touches_.clear();
     at_once_ = 0;
     for (std::size_t k = 0; k < std::min(overlap.size(), kMostTouches); ++k)
-      touches_.push_back({overlap[k].normal, overlap[k].depth, true});
+      touches_.push_back({overlap[k].normal, overlap[k].depth});
   }
 
   /// Goes on to the next contact of `b`, translated. False if there is none, or if it is not known.
@@ -125,7 +116,7 @@ class DeepImpact {
     if (time > time_) {
       has_advanced_ = true;
       at_once_ = 0;
-      for (Touch& touch : touches_) touch.is_now = false;
+      touches_.clear();
     }
     time_ = time;
     return !touch_->budget_ended;
@@ -134,7 +125,7 @@ class DeepImpact {
   bool advance(const Vec2& shift) {
     if (!advance(pair_.b_, shift)) return false;
     if (touches_.size() == kMostTouches) touches_.erase(touches_.begin());
-    touches_.push_back({touch_->normal, touch_->normal.dot(shift), true});
+    touches_.push_back({touch_->normal, touch_->normal.dot(shift)});
     return true;
   }
 
