@@ -26,28 +26,16 @@ DistanceResult resultOf(const PosedVertices& pair, const NearestFeatures& neares
   return plainResultOf(pair, distance, false, i, j, options);
 }
 
-DistanceResult resultOf(const PosedVertices& pair, const ConvexOverlap& overlap, const DistanceQuery& options) {
-  if (!overlap.isInside())
-    return plainResultOf(pair, overlap.point, true, overlap.edges.edge_a, overlap.edges.edge_b, options);
-  return containedResult(pair, overlap.inner_a, overlap.inner_b);
+/// Whether two edges share a point, which is certain, and where.
+bool meet(const PosedVertices& pair, std::size_t i, std::size_t j, EdgeDistance& point) {
+  if (EdgeDistances::cross(pair, i, j, point)) return true;
+  const EdgeDistances edges(pair);
+  if (!edges.meet(i, j)) return false;
+  point = edges.whereTheyMeet(edges.view(i, j));
+  return true;
 }
 
 }  // namespace
-
-void findConvexOverlap(const PosedVertices& pair, const ConvexCrossing& crossing, ConvexOverlap& found) {
-  if (crossing.edge_a < 0 || crossing.edge_b < 0) {
-    found.inner_a = crossing.edge_a;
-    found.inner_b = crossing.edge_b;
-    return;
-  }
-  const auto i = static_cast<std::uint32_t>(crossing.edge_a), j = static_cast<std::uint32_t>(crossing.edge_b);
-  if (!EdgeDistances::cross(pair, i, j, found.point)) {
-    const EdgeDistances edges(pair);
-    if (!edges.meet(i, j)) return;
-    found.point = edges.whereTheyMeet(edges.view(i, j));
-  }
-  found.edges = {FeaturePair::kCrossing, i, j};
-}
 
 bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options,
                     DistanceResult& result) {
@@ -55,24 +43,29 @@ bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const Distanc
   const auto store = [&](bool were_right, const FeaturePair& found) {
     if (hint != nullptr) storeFeatures(*hint, tried, were_right, found);
   };
-  ConvexOverlap overlap;
+  FeaturePair edges = tried;
+  EdgeDistance point;
   const bool was_right = tried.kind == FeaturePair::kCrossing && pair.isUnscaled() &&
-                         EdgeDistances::cross(pair, tried.edge_a, tried.edge_b, overlap.point);
-  if (was_right) {
-    overlap.edges = tried;
-  } else {
+                         EdgeDistances::cross(pair, tried.edge_a, tried.edge_b, point);
+  if (!was_right) {
     const NearestFeatures nearest = findNearestFeatures(pair, tried);
     if (nearest.are_apart) {
       store(nearest.were_tried, nearest.features);
       result = resultOf(pair, nearest, options);
       return true;
     }
-    if (!nearest.seem_to_meet) return false;
-    findConvexOverlap(pair, nearest.crossing, overlap);
-    if (!overlap.isFound()) return false;
+    const int edge_a = nearest.crossing.edge_a, edge_b = nearest.crossing.edge_b;
+    if (!nearest.seem_to_meet || (edge_a < 0 && edge_b < 0)) return false;
+    if (edge_a < 0 || edge_b < 0) {
+      store(false, {});
+      result = containedResult(pair, edge_a, edge_b);
+      return true;
+    }
+    edges = {FeaturePair::kCrossing, static_cast<std::uint32_t>(edge_a), static_cast<std::uint32_t>(edge_b)};
+    if (!meet(pair, edges.edge_a, edges.edge_b, point)) return false;
   }
-  store(was_right, overlap.edges);
-  result = resultOf(pair, overlap, options);
+  store(was_right, edges);
+  result = plainResultOf(pair, point, true, edges.edge_a, edges.edge_b, options);
   return true;
 }
 

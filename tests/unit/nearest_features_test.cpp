@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/distance_hint.h"
 #include "distance/distance_search.h"
 #include "distance/solvers.h"
 #include "families.h"
@@ -62,9 +63,12 @@ int edgesThatMeet(const PosedPair& pair) {
 /// What distance() finds; Unknown unless both are convex without straight vertices.
 struct Found : NearestFeatures {
   Meeting meeting = Meeting::Unknown;
-  ConvexOverlap overlap;
+  DistanceResult meet{};  ///< where they do
 
-  bool crosses() const { return overlap.edges.kind == FeaturePair::kCrossing; }
+  bool crosses() const { return meeting == Meeting::Meet && meet.edge_a >= 0 && meet.edge_b >= 0; }
+  bool isInside() const { return meeting == Meeting::Meet && !crosses(); }
+  std::uint32_t edgeA() const { return static_cast<std::uint32_t>(meet.edge_a); }
+  std::uint32_t edgeB() const { return static_cast<std::uint32_t>(meet.edge_b); }
 };
 
 Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
@@ -72,10 +76,16 @@ Found nearestOf(const PosedPair& pair, const FeaturePair& tried = {}) {
   if (cornersOf(pair.a) != &pair.a || cornersOf(pair.b) != &pair.b) return found;
   const PosedVertices in_order(pair);
   static_cast<NearestFeatures&>(found) = findNearestFeatures(in_order, tried);
-  if (found.seem_to_meet) findConvexOverlap(in_order, found.crossing, found.overlap);
+  DistanceHint hint;
+  claim(hint, in_order);
+  hint.kind = tried.kind;
+  hint.edge_a = tried.edge_a;
+  hint.edge_b = tried.edge_b;
   if (found.are_apart) found.meeting = Meeting::Apart;
-  if (found.overlap.isFound()) found.meeting = Meeting::Meet;
-  EXPECT_FALSE(found.are_apart && found.overlap.isFound());
+  if (!found.seem_to_meet || !convexDistance(in_order, &hint, {}, found.meet)) return found;
+  found.meeting = Meeting::Meet;
+  EXPECT_FALSE(found.are_apart);
+  EXPECT_EQ(found.meet.distance, 0);
   return found;
 }
 
@@ -128,21 +138,19 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
     if (found.meeting == Meeting::Meet) {
       ++meeting;
       const bool cross = edgesThatMeet(pair) > 0;
-      ASSERT_FALSE(cross && found.overlap.isInside()) << reproduction(c);
-      ASSERT_TRUE(!found.crosses() || edgesMeet(pair, found.overlap.edges.edge_a, found.overlap.edges.edge_b))
-          << reproduction(c);
-      (cross ? crossing_found : containment_found) += found.crosses() || found.overlap.isInside();
+      ASSERT_FALSE(cross && found.isInside()) << reproduction(c);
+      ASSERT_TRUE(!found.crosses() || edgesMeet(pair, found.edgeA(), found.edgeB())) << reproduction(c);
+      (cross ? crossing_found : containment_found) += found.crosses() || found.isInside();
       if (!found.crosses()) continue;
-      const FeaturePair& edges = found.overlap.edges;
       EdgeDistance point;
-      crossing_proven += EdgeDistances::cross(PosedVertices(pair), edges.edge_a, edges.edge_b, point);
+      crossing_proven += EdgeDistances::cross(PosedVertices(pair), found.edgeA(), found.edgeB(), point);
       // A vertex of one that is in the other, beside an edge of that: nothing is apart.
       for (const auto kind : {FeaturePair::kEdgeOfA, FeaturePair::kEdgeOfB, FeaturePair::kVertices})
         for (const std::uint32_t step : {0u, 1u}) {
           const auto from = [&](std::uint32_t edge, const PolygonData& polygon) {
             return (edge + step) % static_cast<std::uint32_t>(polygon.path.size() - 1);
           };
-          const FeaturePair tried{kind, from(edges.edge_a, pair.a), from(edges.edge_b, pair.b)};
+          const FeaturePair tried{kind, from(found.edgeA(), pair.a), from(found.edgeB(), pair.b)};
           ASSERT_EQ(nearestOf(pair, tried).meeting, Meeting::Meet) << reproduction(c);
         }
       continue;
@@ -231,9 +239,9 @@ TEST(NearestFeatures, ProvesWhereTheyMeet) {
     const PosedPair pair(square.data(), at_a, b.data(), at_b);
     const Found nearest = nearestOf(pair);
     found += nearest.crosses();
-    EXPECT_TRUE(!nearest.crosses() || edgesMeet(pair, nearest.overlap.edges.edge_a, nearest.overlap.edges.edge_b))
+    EXPECT_TRUE(!nearest.crosses() || edgesMeet(pair, nearest.edgeA(), nearest.edgeB()))
         << reproduction({square, at_a, b, at_b});
-    EXPECT_FALSE(nearest.overlap.isInside() && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
+    EXPECT_FALSE(nearest.isInside() && edgesThatMeet(pair) > 0) << reproduction({square, at_a, b, at_b});
   };
   for (int i = 0; i < 200; ++i) {
     const double beside = random.coin() ? 1e-9 : -1e-9;

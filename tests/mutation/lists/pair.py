@@ -85,7 +85,7 @@ MUTATIONS = [
     ("src/hierarchy/placement.h", "Gram(r0, r1).defect(),", "0,", "defect of the relative pose"),
     ("src/hierarchy/placement.h", "length * (1 + 2 * scale_defect) * inverse_unit", "length * inverse_unit", "margin in a's frame: scale forgotten"),
     ("src/pair/outer_rings.cpp", "return !is_alone && EdgeSides(itself_, EdgeSides::A, old).isBare();", "return false;", "outwards: edges without an inside are left out"),
-    ("src/pair/outer_rings.cpp", "4 * (0.25 * q) != q || ", "", "outwards: quarters of the smallest doubles"),
+    ("src/pair/outer_rings.cpp", "if (2 * (0.5 * p) != p || 4 * (0.25 * q) != q || 4 * (0.25 * r) != r) return true;", "", "outwards: quarters of the smallest doubles"),
     ("src/pair/outer_rings.cpp", "return is_clear && !triangle.holdsInside(polygon_);", "return is_clear;", "outwards: corners of holes are filled from inside"),
     ("src/pair/outer_rings.cpp", "if (!near_.holds(corner.place, vertex(corner.foot), vertex(corner.foot + 1))) return false;", "", "outwards: corners of any reach"),
     ("src/pair/complement.cpp", "borders.empty() ? count % 2 != 0", "borders.empty() ? count == 1", "complement: an edge that is there thrice is a border"),
