@@ -80,13 +80,12 @@ class DeepImpact {
       const std::vector<Contact> overlap = overlapNow();
       const double depth = depthOf(overlap);
       // After a proven interval an impact is as early as ordinary ones are.
-      if (depth >= allowed_ - (has_advanced_ ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
+      if (depth >= allowed_ - (time_ > 0 ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
       if (time_ >= 1) return std::nullopt;
       const double last = time_;
       if (!advanceShrunk()) return ended();
-      time_ = std::max(time_, last + std::max(allowed_ - depth, pair_.precision_) / pair_.speed_);
-      time_ = std::min(time_, 1.0);
-      has_advanced_ = true;
+      const double proven = last + std::max(allowed_ - depth, pair_.precision_) / pair_.speed_;
+      time_ = std::min(std::max(time_, proven), 1.0);
       touchAll(overlapNow());
     }
     Impact impact = impactHere(overlapNow());
@@ -111,14 +110,13 @@ class DeepImpact {
     const double time_error = std::min(pair_.precision_ / pair_.speed_, 1.0);
     touch_ = timeOfImpact(pair_.a_, pair_.motion_a_.part(time_, 1), b, motion_b, {0, time_error});
     if (!touch_) return false;
-    const double time = std::min(timeWithin(time_, 1 - time_, touch_->time), 1.0);
     ++at_once_;
-    if (time > time_) {
-      has_advanced_ = true;
+    const double last = time_;
+    time_ = std::min(timeWithin(last, 1 - last, touch_->time), 1.0);
+    if (time_ > last) {
       at_once_ = 0;
       touches_.clear();
     }
-    time_ = time;
     return !touch_->budget_ended;
   }
 
@@ -161,7 +159,6 @@ class DeepImpact {
   double time_ = 0;  ///< until then they are not as deep as is allowed
   std::vector<Touch> touches_;
   int at_once_ = 0;
-  bool has_advanced_ = false;
   std::optional<Impact> touch_;  ///< of the last interval's end
 };
 

@@ -60,8 +60,7 @@ struct Triangle {
 /// - Beside pq, the line from x straight away from pq meets the chain, in reach; or a line to a foot, between which and
 ///   pq nothing is farther from the foot than its corner.
 /// - Beyond p, the line from x straight away from p meets the chain, no farther from x than from p; or it is p's line
-/// to
-///   its foot, and x on it. It doesn't meet q's line, which doesn't come so far.
+///   to its foot, and x on it. It doesn't meet q's line, which doesn't come so far.
 class RingCover {
  public:
   RingCover(const PolygonData& polygon, double tolerance)
