@@ -32,19 +32,22 @@ struct Ends {
 
 /// Where two segments are nearest to each other, rounded, if they don't cross.
 struct NearestPlaces {
+  Vec2 way() const { return on_b - on_a; }
   Vec2 on_a, on_b;
 };
+/// offer(places), one of which is that.
+template <typename Offer>
+void forEachNearest(const Ends& a, const Ends& b, const Offer& offer) {
+  for (const Vec2& p : {a.v, a.w}) offer(NearestPlaces{p, nearestOnSegment(p, b.v, b.w)});
+  for (const Vec2& q : {b.v, b.w}) offer(NearestPlaces{nearestOnSegment(q, a.v, a.w), q});
+}
 inline NearestPlaces nearestPlaces(const Ends& a, const Ends& b) {
   NearestPlaces nearest{a.v, b.v};
   double least = std::numeric_limits<double>::infinity();
-  const auto offer = [&](const Vec2& on_a, const Vec2& on_b) {
-    const double square = (on_b - on_a).squaredNorm();
-    if (!(square < least)) return;
-    least = square;
-    nearest = {on_a, on_b};
-  };
-  for (const Vec2& p : {a.v, a.w}) offer(p, nearestOnSegment(p, b.v, b.w));
-  for (const Vec2& q : {b.v, b.w}) offer(nearestOnSegment(q, a.v, a.w), q);
+  forEachNearest(a, b, [&](const NearestPlaces& places) {
+    const double square = places.way().squaredNorm();
+    if (square < least) least = square, nearest = places;
+  });
   return nearest;
 }
 

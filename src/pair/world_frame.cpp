@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numbers/double_double.h"
+#include "numbers/power_of_two.h"
 
 namespace tricover::detail {
 namespace {
@@ -23,13 +24,19 @@ Vec2 quarterToA(const PosedPair& pair) {
   return result;
 }
 
+/// The way between the origins is below 2^404 of it, so that squares don't overflow.
+double unitFor(const PosedPair& pair, const Vec2& quarter_to_a) {
+  const double least = powerOfTwo(std::max(exponentOf(quarter_to_a.lpNorm<1>()) - 400, -1000));
+  return std::max({pair.b.unit, pair.a.unit * 0x1p-200, least});
+}
+
 }  // namespace
 
 WorldFrame::WorldFrame(const PosedPair& pair)
     : pair_(pair),
       linear_a_(pair.pose_a.linear()),
       linear_b_(pair.pose_b.linear()),
-      unit_(std::max(pair.b.unit, pair.a.unit * 0x1p-200)),
+      unit_(unitFor(pair, quarterToA(pair))),
       scale_a_(pair.a.unit / unit_),
       scale_b_(pair.b.unit / unit_),
       origin_a_(quarterToA(pair) / unit_ * 4),

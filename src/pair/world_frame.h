@@ -6,8 +6,9 @@
 
 namespace tricover::detail {
 
-/// The world seen from b's origin S, in b's units (a's where b is less than 2^-200 of a), rounded: for what an answer
-/// reports, not for what it is. Nothing overflows here, and b's coordinates are as precise as b is small.
+/// The world seen from b's origin S, in b's units (larger ones where b is less than 2^-200 of a, or 2^-404 of the way
+/// to it), rounded: for what an answer reports, not for what it is. Nothing overflows here, and b's coordinates are as
+/// precise as b is small.
 class WorldFrame {
  public:
   explicit WorldFrame(const PosedPair& pair);

@@ -193,9 +193,17 @@ NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query)
   const WorldFrame frame(pair);
   const WorldFrame::Ends edge_a = frame.edgeEndsOfA(position(pair.a, nearest.edge_a)),
                          edge_b = frame.edgeEndsOfB(position(pair.b, nearest.edge_b));
-  const auto [on_a, on_b] = nearestPlaces(edge_a, edge_b);
   const double error = 4 * frame.error();
-  const Vec2 way = on_b - on_a, side = way.norm() > error ? way : Vec2(-frame.originOfA());
+  // An end and the inner of an edge may be as near but for rounding: those count that distance() names.
+  NearestPlaces at = nearestPlaces(edge_a, edge_b);
+  const Vec2 named_a = frame.fromWorld(nearest.point_a), named_b = frame.fromWorld(nearest.point_b);
+  double off = std::numeric_limits<double>::infinity();
+  const double reach = at.way().norm() + error;
+  forEachNearest(edge_a, edge_b, [&](const NearestPlaces& places) {
+    const double other = (places.on_a - named_a).squaredNorm() + (places.on_b - named_b).squaredNorm();
+    if (places.way().norm() <= reach && other < off) off = other, at = places;
+  });
+  const Vec2 side = at.way().norm() > error ? at.way() : Vec2(-frame.originOfA());
   const auto across = [&](const WorldFrame::Ends& edge) {
     const Vec2 normal = Vec2(edge.v.y() - edge.w.y(), edge.w.x() - edge.v.x()).stableNormalized();
     return normal.dot(side) < 0 ? Vec2(-normal) : normal;
@@ -203,8 +211,8 @@ NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query)
   const auto isInner = [&](const Vec2& p, const WorldFrame::Ends& edge) {
     return (p - edge.v).norm() > error && (p - edge.w).norm() > error;
   };
-  if (isInner(on_a, edge_a)) return {nearest, across(edge_a)};
-  if (isInner(on_b, edge_b)) return {nearest, across(edge_b)};
+  if (isInner(at.on_a, edge_a)) return {nearest, across(edge_a)};
+  if (isInner(at.on_b, edge_b)) return {nearest, across(edge_b)};
   return {nearest, side.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(side.stableNormalized())};
 }
 

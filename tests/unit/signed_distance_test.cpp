@@ -84,6 +84,35 @@ TEST(SignedDistance, OfAnySize) {
   }
 }
 
+/// A vertex is beside an edge's end or, by less than doubles tell, beside its inner.
+TEST(SignedDistance, NormalLeadsFromPointToPoint) {
+  Random random(3);
+  const int cases = scaledCount(20000);
+  int ends = 0;
+  for (int i = 0; i < cases; ++i) {
+    const double size = std::pow(10, random.real(-12, 0)),
+                 past = random.coin() ? 0 : std::pow(10, random.real(-10, -7));
+    const Polygon b = segment({0, 0}, {1, 0}), a(Ring{{0, 0}, {-size, -size}, {size, -0.7 * size}});
+    Pose pose_b = support::pose(random.real(0, 6), random.real(-1, 1), random.real(-1, 1)), pose_a = pose_b;
+    pose_a.translation() = pose_b * Vec2(past, -random.real(0.1, 1));
+    const SignedDistance s = signedDistance(a, pose_a, b, pose_b);
+    ends += s.point_b == pose_b.translation();
+    ASSERT_LE((s.point_b - s.point_a - s.distance * s.normal).norm(), 1e-14) << i;
+  }
+  EXPECT_GT(ends, cases / 10);
+  EXPECT_LT(ends, cases / 10 * 9);
+}
+
+TEST(SignedDistance, OfPointsFarFromEachOther) {
+  for (int exponent = -1000; exponent <= 1000; exponent += 4) {
+    const double far = std::ldexp(1, exponent);
+    const SignedDistance s = signedDistance(point({-far, far}), Pose::Identity(), point({0, 0}), Pose::Identity());
+    EXPECT_NEAR(s.normal.x(), std::sqrt(0.5), 1e-15) << exponent;
+    EXPECT_NEAR(s.normal.y(), -std::sqrt(0.5), 1e-15) << exponent;
+    EXPECT_NEAR(s.distance / far, std::sqrt(2), 1e-15) << exponent;
+  }
+}
+
 /// Of convex polygons, by no less than they are moved by.
 TEST(SignedDistance, MovingAlongTheNormalIncreasesIt) {
   const int cases = scaledCount(3000);
