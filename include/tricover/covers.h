@@ -19,14 +19,14 @@ struct CoverOptions {
 ///
 /// Regions are closed. A part without an interior (a point, a segment, an edge that goes back the way it came) is
 /// covered where the area has its inside on one side at least, or an edge. An area without an interior covers only what
-/// lies along its edges, and nothing with a margin. A ring of the part that is one point is covered by an equal
-/// one of the area, with any margin that keeps it away from other edges of the area.
+/// lies along its edges, and nothing with a margin.
 ///
 /// The time is O((n + k) log n) for n edges near the part and k pairs of them that meet.
 ///
 /// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is negative or not finite;
 /// and if an edge of the area nearer to the part than the margin is a boundary of the area only in places (where rings
-/// overlap under FillRule::NonZero) and rounding hides whether those are nearer, too.
+/// overlap under FillRule::NonZero) and rounding hides whether those are nearer, too, as it does for coordinates beyond
+/// 2^400 or below 2^-400.
 ///
 /// \snippet covers.cpp covers
 TRICOVER_EXPORT bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, const Pose& pose_part,

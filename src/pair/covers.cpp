@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
@@ -22,15 +23,16 @@ namespace {
 /// them, and points.
 class CoverSearch {
  public:
-  explicit CoverSearch(const std::vector<PosedPair>& part_and_areas)
-      : pairs_(part_and_areas), part_(pairs_[0].a), sides_(PosedRegions(pairs_, PosedRegions::Outside)) {}
+  CoverSearch(const std::vector<PosedPair>& part_and_areas, double margin)
+      : pairs_(part_and_areas),
+        part_(pairs_[0].a),
+        margin_(margin),
+        sides_(PosedRegions(pairs_, PosedRegions::Outside)) {}
 
   bool isCovered() {
     for (std::size_t ring = 0; ring < part_.ringCount(); ++ring) {
       const std::size_t begin = part_.edgeBegin(ring);
-      const auto holdsBegin = [&](const PosedPair& pair) {
-        return locateInA(pair.back(), part_.path[begin]) != Location::Outside;
-      };
+      const auto holdsBegin = [&](const PosedPair& pair) { return holdsPoint(pair, part_.path[begin]); };
       if (beginsPoint(part_, begin) && std::none_of(pairs_.begin(), pairs_.end(), holdsBegin)) return false;
       for (std::size_t edge = begin; edge < part_.edgeEnd(ring); ++edge)
         if (sides_.of(EdgeSides::A, edge).hasSought()) return false;
@@ -43,21 +45,34 @@ class CoverSearch {
 
   /// Whether no boundary of the union is nearer to the part. The distance from the part is that of edges, once the part
   /// is covered.
-  bool isClear(double margin) {
+  bool isClear() {
     bool is_clear = true;
     for (std::size_t area = 1; is_clear && area <= pairs_.size(); ++area) {
       const PosedPair& pair = pairs_[area - 1];
       const bool swaps = pair.a.unit < pair.b.unit;  // forEachPair wants the larger one first
-      forEachPair(swaps ? pair.back() : pair, margin, [&](double, std::size_t i, std::size_t j) {
+      forEachPair(swaps ? pair.back() : pair, margin_, [&](double, std::size_t i, std::size_t j) {
         if (swaps) std::swap(i, j);
-        if (edgesWithin(pair, i, j, margin, 0, true)) is_clear = !sides_.of(area, j).hasBoundaryWithin(i, margin);
-        return is_clear ? margin : -1.0;
+        if (edgesWithin(pair, i, j, margin_, 0, true)) is_clear = !sides_.of(area, j).hasBoundaryWithin(i, margin_);
+        return is_clear ? margin_ : -1.0;
       });
     }
     return is_clear;
   }
 
  private:
+  /// Whether an area holds a point of the part: with a margin, by more than a ring that is the same point.
+  bool holdsPoint(const PosedPair& pair, const Vec2& point) const {
+    const Location location = locateInA(pair.back(), point);
+    if (location != Location::Boundary || margin_ == 0) return location != Location::Outside;
+    std::vector<Ring> rings;
+    for (std::size_t r = 0; r < pair.b.ringCount(); ++r)
+      if (!beginsPoint(pair.b, pair.b.edgeBegin(r))) rings.push_back(pair.b.vertices(r));
+    if (rings.empty()) return false;
+    const Polygon rest(rings, pair.b.fill.rule);
+    const Location there = locateInA(PosedPair(rest.data(), pair.pose_b, pair.a, pair.pose_a), point);
+    return there != (pair.b.fill.is_complement ? Location::Inside : Location::Outside);
+  }
+
   /// Asks those edges of an area that may be inside of the part.
   bool hasGapBeside(std::size_t area) {
     const PosedPair seen = pairs_[area - 1].back();
@@ -73,6 +88,7 @@ class CoverSearch {
 
   const std::vector<PosedPair>& pairs_;
   const PolygonData& part_;
+  const double margin_;
   KnownSides sides_;
 };
 
@@ -80,8 +96,8 @@ class CoverSearch {
 
 bool unionCovers(const std::vector<PosedPair>& part_and_areas, double margin) {
   if (part_and_areas.empty()) return false;
-  CoverSearch search(part_and_areas);
-  return search.isCovered() && (margin == 0 || search.isClear(margin));
+  CoverSearch search(part_and_areas, margin);
+  return search.isCovered() && (margin == 0 || search.isClear());
 }
 
 }  // namespace detail

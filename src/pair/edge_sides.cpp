@@ -291,7 +291,8 @@ bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) con
       refuse("margin", "rounding hides whether a boundary is nearer where edges of the areas cross",
              "change it by 1e-12 of the coordinates");
   };
-  refuseIf(!(size > 0x1p-400 && size < 0x1p400));  // squares leave the range of doubles
+  if (!(size > 0x1p-400 && size < 0x1p400))  // squares leave the range of doubles
+    refuse("margin", "where edges of the areas cross, coordinates must be from 2^-400 to 2^400", "scale all of them");
   if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
   if (distanceOf(begin.low, end.high) - error > margin) return false;
   const double room = 0x1p-40 * (1 + size / along.norm());

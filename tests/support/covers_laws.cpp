@@ -130,13 +130,6 @@ Sheet placed(Random& random) {
   return sheet;
 }
 
-bool hasPoint(const Polygon& polygon) {
-  const auto isPoint = [](const Ring& ring) {
-    return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return p == ring[0]; });
-  };
-  return std::any_of(polygon.rings().begin(), polygon.rings().end(), isPoint);
-}
-
 /// Nothing where the margin is refused.
 template <typename Ask>
 std::optional<bool> answerOf(double margin, const Ask& ask) {
@@ -157,10 +150,6 @@ const std::vector<SheetKind>& sheetKinds() {
 }
 
 std::string wrongCovers(const Sheet& sheet, double margin, CoversCounts& counts) {
-  // A point of the part upon an equal one of an area, with nothing else around it, is taken for covered.
-  const auto areaHasPoint = [](const BodyPlacement& body) { return hasPoint(body.polygon); };
-  if (margin > 0 && hasPoint(sheet.part) && std::any_of(sheet.areas.begin(), sheet.areas.end(), areaHasPoint))
-    return {};
   Scene scene;
   scene.add(sheet.areas);
   const bool truth = exact::covers(sheet.areas, sheet.part, sheet.pose, margin);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "refusal.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
 
@@ -81,16 +82,18 @@ TEST(Covers, AreasWithoutAnInterior) {
   EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
 }
 
-/// As documented, a margin does not see what is around a point of the part that equals a point of an area.
+/// A ring of one point holds an equal one, but nothing with a margin.
 TEST(Covers, PointsUponPoints) {
   const Ring p(3, {5, 5});
   const Polygon beside({rectangle(0, 0, 4, 4), p}), within({rectangle(0, 0, 9, 9), p});
   const Polygon on_edge({rectangle(0, 0, 5, 9), p}), right({rectangle(5, 0, 9, 9)}), part({rectangle(1, 1, 2, 2), p});
   EXPECT_TRUE(covers(point({5, 5}), point({5, 5})));
-  EXPECT_TRUE(covers(point({5, 5}), point({5, 5}), 1e-9));
+  EXPECT_FALSE(covers(point({5, 5}), point({5, 5}), 1e-9));
+  EXPECT_TRUE(covers(beside.complement(), point({5, 5}), 1.25));
+  EXPECT_FALSE(covers(beside.complement(), point({5, 5}), 1.5));
   EXPECT_TRUE(covers(beside, part));
-  EXPECT_TRUE(covers(beside, part, 1));
-  EXPECT_FALSE(covers(beside, part, 1.25)) << "that is near an edge";
+  EXPECT_FALSE(covers(beside, part, 1e-9));
+  EXPECT_TRUE(covers(beside, Polygon({rectangle(1, 1, 2, 2)}), 1));
   EXPECT_TRUE(covers(within, part, 1));
   EXPECT_TRUE(together({beside, within}, part, 1));
   EXPECT_FALSE(covers(on_edge, part, 1e-9));
@@ -139,6 +142,15 @@ TEST(Covers, RefusesWhatItCannotTell) {
   const BodyHandle body = scene.add(area, kHere, wide);
   EXPECT_THROW(scene.covers(area, kHere), std::invalid_argument);
   EXPECT_FALSE(scene.covers(area, kHere, {}, BodyFilter::allBut(body)));
+  const double huge = 0x1p500;
+  const Polygon left({rectangle(0, 0, 2 * huge, 4 * huge)}), right({rectangle(huge, 0, 4 * huge, 3 * huge)});
+  const Polygon within({rectangle(huge / 2, huge, 3 * huge, 2 * huge)});
+  EXPECT_TRUE(together({left, right}, within, 0));
+  EXPECT_EQ(refusal([&] {
+              together({left, right}, within, huge);
+            }),
+            "tricover: margin: where edges of the areas cross, coordinates must be from 2^-400 to 2^400; "
+            "scale all of them");
   Pose far = kHere;
   far.translation().x() = 100;
   EXPECT_FALSE(scene.covers(area, far));
