@@ -63,7 +63,7 @@ TEST(Complement, distancesContactsAndImpacts) {
     EXPECT_THROW(distanceOf<double>(solver, true, *outside, still, *vehicle, lifted(0, 4.75, 0)),
                  std::invalid_argument);
   }
-  for (const std::size_t most : {1, 4}) {
+  for (const std::size_t most : {std::size_t{1}, std::size_t{4}}) {
     const auto contacts = contactsOf(*outside, still, *vehicle, lifted(0, 4.75, 0), most);
     ASSERT_GE(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].penetration_depth, 0.25, 1e-12);
