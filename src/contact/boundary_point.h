@@ -49,20 +49,12 @@ void forEachEdgeOnRay(const PosedPair& pair, const WorldFrame& frame, int side, 
   const Vec2 along = (linear.inverse() * direction).normalized();
   const double scale = frame.unit() * polygon.inverse_unit;
   const double error = 4 * frame.error() * scale + 0x1p-40 * (at.norm() + 4);
-  struct Context {
-    double inUnits(double world) const { return world * scale * (1 + 0x1p-10) + error; }
-
-    Visit& visit;
-    Ray ray;
-    double scale, error;
-  } context{visit, {at.x(), at.y(), along.x(), along.y(), error}, scale, error};
-  context.ray.length = context.inUnits(length);
-  const auto call = [](void* c, std::uint32_t edge) {
-    auto& seen = *static_cast<Context*>(c);
-    seen.ray.length = seen.inUnits(seen.visit(std::size_t{edge}));
+  const auto inUnits = [scale, error](double world) { return world * scale * (1 + 0x1p-10) + error; };
+  Ray ray{at.x(), at.y(), along.x(), along.y(), error, inUnits(length)};
+  forEachEdgeOn(polygon, &ray, [&](std::size_t edge) {
+    ray.length = inUnits(visit(edge));
     return true;
-  };
-  visitEdgesOnRay(hierarchyOf(polygon), context.ray, call, &context);
+  });
 }
 
 }  // namespace tricover::detail

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/component_contacts.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "contact/component_exit.h"
 #include "contact/contact_ends.h"
+#include "contact/solvers.h"
 #include "numbers/angle.h"
 #include "numbers/segment.h"
 #include "penetration/penetration.h"
@@ -141,26 +140,20 @@ class ContactFinder {
  private:
   /// Whether b, led along the normal by a little more than the depth, leaves a: by as much as coordinates are off by,
   /// and by a quarter of that, which details that are as small may be between.
-  bool parts(const Exit& exit) const {
+  bool parts(double depth, const Vec2& normal) const {
     // By so much the pose's translation is known: near a corner a shorter way may be free where a longer one isn't.
     const double spacing = 1024 * kUnitRoundoff * (pair_.pose_b.translation() / frame_.unit()).lpNorm<1>();
     const double more = 16 * frame_.error() + spacing + 1e-9 * std::min(pair_.a.radius, pair_.b.radius) / frame_.unit();
     const auto partsBy = [&](double length) {
-      return areApartMoved(pair_.a, pair_.pose_a, Vec2::Zero(), pair_.b, pair_.pose_b,
-                           length * frame_.unit() * exit.normal, margin_);
+      return areApartMoved(pair_, Vec2::Zero(), length * frame_.unit() * normal, margin_);
     };
-    return partsBy(exit.depth + more) && partsBy(exit.depth + 0.25 * more);
+    return partsBy(depth + more) && partsBy(depth + 0.25 * more);
   }
 
   /// The same for directions near the normal: it doesn't just slide along a wall.
   bool partsFreely(const Exit& exit) const {
-    const Vec2 aside = 0x1p-10 * Vec2(-exit.normal.y(), exit.normal.x());
-    const auto turned = [&](const Vec2& by) {
-      Exit result = exit;
-      result.normal += by;
-      return result;
-    };
-    return parts(exit) && parts(turned(aside)) && parts(turned(-aside));
+    const Vec2 &normal = exit.normal, aside = 0x1p-10 * Vec2(-normal.y(), normal.x());
+    return parts(exit.depth, normal) && parts(exit.depth, normal + aside) && parts(exit.depth, normal - aside);
   }
 
   /// Leaves out the components that have no interior.
@@ -179,8 +172,9 @@ class ContactFinder {
   /// The exit of a component that is the only one, where it is a touch. The shortest way is searched if it isn't known.
   Exit exitOfTouch(const Exit& exit, std::optional<Penetration> way) const {
     if (partsFreely(exit)) return exit;
-    Exit result = freed(exit);
-    if (parts(result)) return result;
+    Exit result = exit;
+    result.normal = freed(exit);
+    if (parts(result.depth, result.normal)) return result;
     // They are wedged, or a corner reaches through by more than coordinates are off by.
     if (!way) way = shortestWay();
     if (way && way->optimal) result.normal = way->translation.stableNormalized();
@@ -206,7 +200,7 @@ class ContactFinder {
     const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
     if (agrees && !alike && partsFreely(exit)) return exit;
     // An exit that agrees with the search to its precision is known better.
-    if (!alike || !parts(exit)) exit = {p.normal, depth, {-1, -1}, 0};
+    if (!alike || !parts(exit.depth, exit.normal)) exit = {p.normal, depth, {-1, -1}, 0};
     // Either edge at a vertex that parts last will do.
     const auto partsLast = [&](int side, std::size_t position) {
       const WorldFrame::Ends edge = frame_.edgeEnds(side, position);
@@ -223,23 +217,21 @@ class ContactFinder {
     return depth > 64 * frame_.error() ? exit : exitOfTouch(exit, way);
   }
 
-  /// A touch whose normal leads into or along a wall: the middle of the widest range of directions that part them, if
-  /// there is one.
-  Exit freed(const Exit& exit) const {
+  /// Of a touch whose normal leads into or along a wall: the middle of the widest range of directions that part them,
+  /// if there is one.
+  Vec2 freed(const Exit& exit) const {
     constexpr int kDirections = 64;
-    const auto at = [&](double k) {
-      Exit result = exit;
-      result.normal = Vec2(std::cos(k * 2 * kPi / kDirections), std::sin(k * 2 * kPi / kDirections));
-      return result;
+    const auto at = [](double k) {
+      return Vec2(std::cos(k * 2 * kPi / kDirections), std::sin(k * 2 * kPi / kDirections));
     };
     int free_for = 0, longest = 0, end = 0;
     for (int k = 0; k < 2 * kDirections && longest < kDirections; ++k) {
-      free_for = parts(at(k)) ? free_for + 1 : 0;
+      free_for = parts(exit.depth, at(k)) ? free_for + 1 : 0;
       if (free_for <= longest) continue;
       longest = free_for;
       end = k;
     }
-    return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit;
+    return longest > 0 ? at(end - 0.5 * (longest - 1)) : exit.normal;
   }
 
   /// The component's crossing of the first edges, or else its first vertex.

@@ -59,8 +59,7 @@ bool ComponentExits::isBetter(const Exit& exit, const Exit& best) const {
 std::ptrdiff_t ComponentExits::flatter(int side, const BoundaryPoint& p, const Vec2& normal) const {
   if (p.edge[side] < 0) return -1;
   const EdgesAt at{static_cast<std::size_t>(p.edge[side]), static_cast<std::size_t>(p.before[side])};
-  const auto endsOf = [&](std::size_t e) { return frame_.edgeEnds(side, e); };
-  return static_cast<std::ptrdiff_t>(flatterEdge(at, normal, endsOf));
+  return static_cast<std::ptrdiff_t>(flatterEdge(at, normal, [&](std::size_t e) { return frame_.edgeEnds(side, e); }));
 }
 
 Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {
@@ -231,17 +230,12 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
     if (!way.isZero(0)) across = Vec2(way.y(), -way.x()).stableNormalized();
   };
   const double far = 4 * std::min(pair_.a.reach + pair_.b.reach, 0x1p1020);
-  const auto search = [&](const PosedPair& pair, auto tryPair) {
-    forEachPair(pair, far, [&](double, std::size_t i, std::size_t j) {
-      tryPair(i, j);
-      return std::min(far, (nearest + frame_.error()) * frame_.unit());
-    });
-  };
-  if (inside.unit > outside.unit)
-    search(PosedPair(inside, poseOf(pair_, inner), outside, poseOf(pair_, outer)), tryEdges);
-  else
-    search(PosedPair(outside, poseOf(pair_, outer), inside, poseOf(pair_, inner)),
-           [&](std::size_t o, std::size_t i) { tryEdges(i, o); });
+  const PosedPair pair(inside, poseOf(pair_, inner), outside, poseOf(pair_, outer));
+  const bool is_inner_first = inside.unit > outside.unit;
+  forEachPair(is_inner_first ? pair : pair.back(), far, [&](double, std::size_t i, std::size_t j) {
+    tryEdges(is_inner_first ? i : j, is_inner_first ? j : i);
+    return std::min(far, (nearest + frame_.error()) * frame_.unit());
+  });
   Vec2 outwards = across;
   if (nearest > 4 * frame_.error())
     outwards = (out - in).stableNormalized();

@@ -5,9 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "contact/component_contacts.h"
 #include "contact/contact_ends.h"
-#include "contact/convex_contact.h"
+#include "contact/solvers.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "pair/certificate.h"

@@ -5,14 +5,13 @@
 //
 // The edges of two convex regions that meet share a point unless one region lies within the other: each has to have a
 // corner that is certainly outside the other.
-#include "contact/convex_contact.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "contact/contact_ends.h"
+#include "contact/solvers.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {

@@ -90,8 +90,7 @@ std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Poly
                                 const CrossingOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
   detail::requireTouching(options.touching);
-  detail::requireRigid(pose_a, "pose_a");
-  detail::requireRigid(pose_b, "pose_b");
+  detail::requireRigid(pose_a, pose_b);
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...), options); },

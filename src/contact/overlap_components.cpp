@@ -131,7 +131,9 @@ class Grouping : OverlapArcs {
     std::vector<OverlapComponent> components(numberComponents());
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       OverlapComponent& component = components[nodes_[k].component];
-      if (wants_all) component.points.push_back(crossingPoint(k));
+      const EdgeCrossing& c = crossings_[k];
+      const auto i = static_cast<std::int32_t>(c.edge[0]), j = static_cast<std::int32_t>(c.edge[1]);
+      if (wants_all) component.points.push_back({c.point, {i, j}, {i, j}});
       component.crossings.push_back(k);
     }
     for (const Arc& arc : arcs_) {
@@ -152,12 +154,6 @@ class Grouping : OverlapArcs {
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].component = nodes_[sets_.find(k)].component;
     return count;
-  }
-
-  BoundaryPoint crossingPoint(std::size_t k) const {
-    const EdgeCrossing& c = crossings_[k];
-    const auto i = static_cast<std::int32_t>(c.edge[0]), j = static_cast<std::int32_t>(c.edge[1]);
-    return {c.point, {i, j}, {i, j}};
   }
 
   void addVertices(const Arc& arc, std::vector<BoundaryPoint>& points) const {

@@ -224,16 +224,14 @@ class FeatureSearch {
 
   /// Features that are nearer than these, since a neighbour is.
   void lookAhead(const FeaturePair& features, const Facing& of_a, const Facing& of_b) {
+    const bool are_vertices = features.kind == FeaturePair::kVertices;
     std::uint32_t vertex, edge;
-    if (features.kind != FeaturePair::kEdgeOfA && of_a.isBehind(vertex, edge)) {
-      const bool are_vertices = features.kind == FeaturePair::kVertices;
+    if (features.kind != FeaturePair::kEdgeOfA && of_a.isBehind(vertex, edge))
       ahead_ = {are_vertices ? FeaturePair::kEdgeOfA : FeaturePair::kEdgeOfB, are_vertices ? edge : vertex,
                 features.edge_b};
-    } else if (features.kind != FeaturePair::kEdgeOfB && of_b.isBehind(vertex, edge)) {
-      const bool are_vertices = features.kind == FeaturePair::kVertices;
+    else if (features.kind != FeaturePair::kEdgeOfB && of_b.isBehind(vertex, edge))
       ahead_ = {are_vertices ? FeaturePair::kEdgeOfB : FeaturePair::kEdgeOfA, features.edge_a,
                 are_vertices ? edge : vertex};
-    }
   }
 
   /// Which way it runs isn't asked.

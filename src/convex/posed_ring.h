@@ -11,7 +11,7 @@ namespace tricover::detail {
 class PosedRing {
  public:
   PosedRing(const ConvexRing& ring_, const Pose& pose, Double2 shift_ = Double2{})
-      : PosedRing(ring_, {load2(pose.data()), load2(pose.data() + 3), shift_}) {}
+      : PosedRing(ring_, load2(pose.data()), load2(pose.data() + 3), shift_) {}
 
   Double2 corner(std::uint32_t k) const { return turned(ring.vertex(k)) + shift; }
   Double2 way(std::uint32_t from, std::uint32_t to) const { return turned(ring.way(from, to)); }
@@ -37,18 +37,15 @@ class PosedRing {
   /// The same ring in a frame whose upward axis is the unit vector `up`.
   PosedRing turnedUp(Double2 up) const {
     const auto turn = [&](Double2 v) { return Double2{-cross(up, v), dot(up, v)}; };
-    return {ring, {turn(column_x), turn(column_y), turn(shift)}};
+    return {ring, turn(column_x), turn(column_y), turn(shift)};
   }
 
   const ConvexRing ring;
   const Double2 column_x, column_y, shift;
 
  private:
-  struct Map {
-    Double2 x, y, shift;
-  };
-  PosedRing(const ConvexRing& ring_, const Map& map)
-      : ring(ring_), column_x(map.x), column_y(map.y), shift(map.shift) {}
+  PosedRing(const ConvexRing& ring_, Double2 column_x_, Double2 column_y_, Double2 shift_)
+      : ring(ring_), column_x(column_x_), column_y(column_y_), shift(shift_) {}
 
   Double2 turned(Double2 p) const { return column_x * p[0] + column_y * p[1]; }
 };

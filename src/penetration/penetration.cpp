@@ -143,8 +143,7 @@ bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, 
                      Penetration& result, double longest = std::numeric_limits<double>::infinity()) {
   do {
     const Vec2 t = limit + step * way;
-    if (areApartMoved(pair.a, pair.pose_a, Vec2::Zero(), pair.b, pair.pose_b, t, margin) &&
-        areApartMoved(pair.a, pair.pose_a, -t, pair.b, pair.pose_b, Vec2::Zero(), margin)) {
+    if (areApartMoved(pair, Vec2::Zero(), t, margin) && areApartMoved(pair, -t, Vec2::Zero(), margin)) {
       result.translation = t;
       return true;
     }
@@ -216,12 +215,12 @@ NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query)
   return {nearest, side.isZero(0) ? Vec2(Vec2::UnitX()) : Vec2(side.stableNormalized())};
 }
 
-bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
-                   const Vec2& by_b, double margin) {
+bool areApartMoved(const PosedPair& pair, const Vec2& by_a, const Vec2& by_b, double margin) {
+  Pose pose_a = pair.pose_a, pose_b = pair.pose_b;
   pose_a.translation() += by_a;
   pose_b.translation() += by_b;
   return pose_a.translation().allFinite() && pose_b.translation().allFinite() &&
-         !collideByHierarchy(PosedPair(a, pose_a, b, pose_b), {margin, 0}, 0, Wanted::Answer).collides;
+         !collideByHierarchy(PosedPair(pair.a, pose_a, pair.b, pose_b), {margin, 0}, 0, Wanted::Answer).collides;
 }
 
 Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
@@ -233,7 +232,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   if (outline_a.corners.size() > 2 && outline_b.corners.size() > 2) axes.emplace(pair);
   const SupportGap gap = leastSupportGap(pair, axes ? &*axes : nullptr, 0);
   if (margin > 0) {
-    const bool are_apart = areApartMoved(a, pose_a, Vec2::Zero(), b, pose_b, Vec2::Zero(), 0);
+    const bool are_apart = areApartMoved(pair, Vec2::Zero(), Vec2::Zero(), 0);
     return straightOn(pair, are_apart ? nearestWithout(pair) : penetrationInOrder(a, pose_a, b, pose_b, 0, most, hint),
                       gap, margin, are_convex);
   }

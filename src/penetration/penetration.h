@@ -32,10 +32,8 @@ NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query 
 /// So many translations are tried at most.
 constexpr std::size_t kMostTranslations = 20000;
 
-/// Whether the regions are farther apart than the margin once the poses, in the kernel's order, have been translated
-/// so. Exact.
-bool areApartMoved(const PolygonData& a, Pose pose_a, const Vec2& by_a, const PolygonData& b, Pose pose_b,
-                   const Vec2& by_b, double margin);
+/// Whether the regions are farther apart than the margin once both have been translated so. Exact.
+bool areApartMoved(const PosedPair& pair, const Vec2& by_a, const Vec2& by_b, double margin);
 
 /// penetration() of operands that are known to overlap, but for the margin, in the kernel's order. The last step may
 /// try some translations more than `most`.

@@ -123,7 +123,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
   static_assert(kDepthError * kError >= kUnitRows * kSumOfDepthErrors * kUnitRoundoff &&
                 kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * TurnBack::kError));
   if (!(size_ < 0x1p200)) return;  // areas or their squares may overflow
-  verdict_ = lookBehindAll(edgeTowardsOther(true));
+  verdict_ = lookBehindAll();
   if (verdict_ != Meet) return;
   // Too many may be as deep as the least but for rounding.
   if (least_left_out_ < least_depth_ + within_) verdict_ = Unsure;
@@ -131,8 +131,8 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
 }
 
 /// The first face to be asked is one that looks at the other polygon: what the least depth isn't above is soon known.
-SeparatingAxes::Verdict SeparatingAxes::lookBehindAll(std::uint32_t first_of_a) {
-  std::uint32_t first = first_of_a, at = 0;
+SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
+  std::uint32_t first = edgeTowardsB(), at = 0;
   for (const bool of_a : {true, false}) {
     const AxisSide& own = side(of_a);
     FaceDepth face, best{};
@@ -180,13 +180,13 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge
   return Meet;
 }
 
-/// An edge at the support vertex towards the other one's S.
-std::uint32_t SeparatingAxes::edgeTowardsOther(bool of_a) const {
-  const AxisSide& own = side(of_a);
-  const Double2 way = own.ring.inFrame(of_a ? pair_.way() : -pair_.way());
-  const std::uint32_t support = own.ring.ring.supportVertex(way);
-  const Double2 to_support = own.ring.ring.vertex(support) - load2(own.polygon.origin.data());
-  return cross(way, to_support) > 0 ? own.ring.ring.previous(support) : support;
+/// An edge of a at the support vertex towards b's S.
+std::uint32_t SeparatingAxes::edgeTowardsB() const {
+  const ConvexRing& ring = a_.ring.ring;
+  const Double2 way = a_.ring.inFrame(pair_.way());
+  const std::uint32_t support = ring.supportVertex(way);
+  const Double2 to_support = ring.vertex(support) - load2(pair_.a.origin.data());
+  return cross(way, to_support) > 0 ? ring.previous(support) : support;
 }
 
 /// Of the faces that are left, on to the next one that point p of the other polygon doesn't prove to be too deep.

@@ -70,9 +70,9 @@ class SeparatingAxes {
   double tie() const { return 4 * error(); }
 
  private:
-  Verdict lookBehindAll(std::uint32_t first_of_a);
+  Verdict lookBehindAll();
   Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Double2& deepest);
-  std::uint32_t edgeTowardsOther(bool of_a) const;
+  std::uint32_t edgeTowardsB() const;
   void skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the contact of two convex polygons: which faces it looks at, which pairs it answers, and that it
 // answers them as penetration() does. Their laws are tests/oracle's.
-#include "contact/convex_contact.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/solvers.h"
 #include "contact_laws.h"
 #include "convex/convex_outline.h"
 #include "families.h"
