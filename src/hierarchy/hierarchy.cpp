@@ -126,7 +126,6 @@ class Builder {
   }
 
   std::size_t edgeCount(const Part& part) const {
-    if (part.kind == Part::Chain) return part.end - part.begin;
     std::size_t count = 0;
     forEachChain(part, [&](std::size_t begin, std::size_t end) { count += end - begin; });
     return count;
@@ -361,10 +360,7 @@ Hierarchy::Hierarchy(const PolygonData& polygon) {
   if (corners != nullptr) small_convex = (corners == &polygon ? *this : topOf(*corners)).small.get();
 }
 
-const Hierarchy& buildTop(const PolygonData& polygon) {
-  return *static_cast<const Hierarchy*>(
-      polygon.hierarchy.built([&] { return std::make_unique<const Hierarchy>(polygon); }));
-}
+const Hierarchy& buildTop(const PolygonData& polygon) { return polygon.hierarchy.made<Hierarchy>(polygon); }
 
 const Hierarchy& buildHierarchy(const PolygonData& polygon) {
   const Hierarchy& hierarchy = topOf(polygon);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "hierarchy/inclusion.h"
@@ -159,11 +158,7 @@ InnerDiscs::InnerDiscs(const PolygonData& polygon) : center(polygon.origin) {
   largest = radius[0] * polygon.unit;
 }
 
-const InnerDiscs& innerDiscsOf(const PolygonData& polygon) {
-  if (const InnerDiscs* ready = innerDiscsIfBuilt(polygon)) return *ready;
-  return *static_cast<const InnerDiscs*>(
-      polygon.discs.built([&] { return std::make_unique<const InnerDiscs>(polygon); }));
-}
+const InnerDiscs& innerDiscsOf(const PolygonData& polygon) { return polygon.discs.made<InnerDiscs>(polygon); }
 
 const InnerDiscs* payForDiscs(const PolygonData& polygon) {
   // A thinned outline bounds the price. At most 16 edges are tested at once, and discs save such a query little.

@@ -2,7 +2,6 @@
 #include "pair/ring_starts.h"
 
 #include <algorithm>
-#include <memory>
 
 #include "numbers/union_find.h"
 #include "pair/edge_pairs.h"
@@ -62,7 +61,7 @@ bool hasFewRings(const PolygonData& polygon) { return polygon.ringCount() <= 4; 
 }  // namespace
 
 void buildRingStarts(const PolygonData& polygon) {
-  if (!hasFewRings(polygon)) polygon.starts.built([&] { return std::make_unique<const RingStarts>(polygon); });
+  if (!hasFewRings(polygon)) polygon.starts.made<RingStarts>(polygon);
 }
 
 const RingStarts* ringStarts(const PolygonData& polygon) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "numbers/angle.h"
 #include "numbers/convex_hull.h"
@@ -101,16 +100,10 @@ std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon) {
   return order;
 }
 
-bool meetsItself(const PolygonData& polygon) {
-  const Derived::Thing* meetings =
-      hierarchyOf(polygon).tangles.built([&] { return std::make_unique<const OwnMeetings>(polygon); });
-  return static_cast<const OwnMeetings*>(meetings)->some;
-}
+bool meetsItself(const PolygonData& polygon) { return hierarchyOf(polygon).tangles.made<OwnMeetings>(polygon).some; }
 
 const RegionSides& regionSidesOf(const PolygonData& polygon) {
-  const Derived::Thing* known =
-      hierarchyOf(polygon).sides.built([&] { return std::make_unique<const KnownSides>(polygon); });
-  return static_cast<const KnownSides*>(known)->sides;
+  return hierarchyOf(polygon).sides.made<KnownSides>(polygon).sides;
 }
 
 }  // namespace tricover::detail

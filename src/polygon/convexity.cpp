@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "numbers/double2.h"
 #include "numbers/predicates.h"
@@ -106,10 +105,7 @@ Convexity::~Convexity() {
   if (has_others) by_corners->release();
 }
 
-const Convexity& findConvexity(const PolygonData& polygon) {
-  return *static_cast<const Convexity*>(
-      polygon.convexity.built([&] { return std::make_unique<const Convexity>(polygon); }));
-}
+const Convexity& findConvexity(const PolygonData& polygon) { return polygon.convexity.made<Convexity>(polygon); }
 
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {
   const std::size_t count = polygon.path.size() - 1;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 namespace tricover::detail {
 
@@ -26,6 +27,11 @@ class Derived {
   /// Null until it has been built.
   const Thing* ifBuilt() const { return ready_.load(std::memory_order_acquire); }
 
+  /// Returns the T that is made of these, as built().
+  template <typename T, typename... From>
+  const T& made(const From&... from) const {
+    return *static_cast<const T*>(built([&] { return std::make_unique<const T>(from...); }));
+  }
   /// Returns what `build` returns, a unique pointer. If another thread builds it, waits for that thread.
   template <typename Build>
   const Thing* built(Build build) const {
@@ -59,14 +65,6 @@ inline Stages usedStages() { return used_stages.load(std::memory_order_relaxed);
 constexpr Stages usedStages() { return Stages::Paid; }
 #endif
 
-/// What queries must still cost until a stage is built.
-inline std::size_t leftOf(Stages stage, std::size_t price, std::size_t cost_so_far) {
-  constexpr std::size_t kNever = std::size_t{1} << 60;
-  const Stages used = usedStages();
-  if (used != Stages::Paid && stage != Stages::Paid) return used < stage ? kNever : 0;
-  return cost_so_far < price ? price - cost_so_far : 0;
-}
-
 /// Ski-rental: what queries have cost so far without something that is derived, in the cost of looking at an edge. Once
 /// that adds up to the price of building it, it is built. All queries together cost at most twice what the better
 /// choice would have cost. Threads may lose each other's costs, which only puts building off.
@@ -75,7 +73,11 @@ class SkiRental {
  public:
   /// What queries must still cost until something of this price is built.
   std::size_t left(std::size_t price) const {
-    return leftOf(kStage, price, cost_so_far_.load(std::memory_order_relaxed));
+    constexpr std::size_t kNever = std::size_t{1} << 60;
+    const Stages used = usedStages();
+    if (used != Stages::Paid && kStage != Stages::Paid) return used < kStage ? kNever : 0;
+    const std::size_t so_far = cost_so_far_.load(std::memory_order_relaxed);
+    return so_far < price ? price - so_far : 0;
   }
   /// Whether to build now what has this price. Otherwise adds the cost of a query without it.
   bool isDue(std::size_t cost, std::size_t price) const {

@@ -310,11 +310,7 @@ Polygon& Polygon::operator=(const Polygon& other) noexcept {
 
 Polygon::~Polygon() { data_->release(); }
 
-const std::vector<Ring>& Polygon::rings() const {
-  const detail::Derived::Thing* rings =
-      data_->rings.built([&] { return std::make_unique<const detail::GivenRings>(*data_); });
-  return static_cast<const detail::GivenRings*>(rings)->all;
-}
+const std::vector<Ring>& Polygon::rings() const { return data_->rings.made<detail::GivenRings>(*data_).all; }
 FillRule Polygon::fillRule() const { return data_->fill.rule; }
 bool Polygon::isComplement() const { return data_->fill.is_complement; }
 std::uint64_t Polygon::id() const { return data_->id; }
