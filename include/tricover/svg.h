@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,8 @@ class TRICOVER_EXPORT SvgDrawing {
   void include(const Vec2& point, double around = 0);
   /// Adds a mask that hides a region within a box, and returns its name.
   std::string outsideMask(const std::string& region, const Eigen::AlignedBox2d& box);
+  /// Draws four corners of the pose's frame. `look` holds all attributes but the width of the stroke, `px` pixels.
+  void quadrangle(const std::array<Vec2, 4>& corners, const Pose& pose, const std::string& look, double px);
   void dot(const Vec2& at, const std::string& fill);
   void arrow(const Vec2& from, const Vec2& direction, const std::string& stroke);
 

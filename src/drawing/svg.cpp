@@ -37,18 +37,8 @@ std::string pair(const Vec2& p) { return number(p.x()) + "," + number(-p.y()); }
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
+  for (const char c : text)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
   return result;
 }
 
@@ -165,18 +155,20 @@ void SvgDrawing::covering(const Polygon& polygon, const Pose& pose) {
 void SvgDrawing::influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill) {
   checkPose(pose, "pose");
   const EdgeIndex count = polygon.edgeCount();
-  for (EdgeIndex edge = 0; edge < count; ++edge) {
-    std::string points;
-    for (const Vec2& corner : paper::boundedInfluenceArea(polygon, edge, length)) {
-      const Vec2 world = pose * corner;
-      include(world);
-      points += pair(world) + " ";
-    }
-    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"" + escaped(fill) +
-                             "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) +
-                             "\" stroke-opacity=\"0.4\" stroke-width=\"",
-                         0.5, "\"/>"});
+  const std::string look =
+      "fill=\"" + escaped(fill) + "\" fill-opacity=\"0.08\" stroke=\"" + escaped(fill) + "\" stroke-opacity=\"0.4\"";
+  for (EdgeIndex edge = 0; edge < count; ++edge)
+    quadrangle(paper::boundedInfluenceArea(polygon, edge, length), pose, look, 0.5);
+}
+
+void SvgDrawing::quadrangle(const std::array<Vec2, 4>& corners, const Pose& pose, const std::string& look, double px) {
+  std::string points;
+  for (const Vec2& corner : corners) {
+    const Vec2 world = pose * corner;
+    include(world);
+    points += (points.empty() ? "" : " ") + pair(world);
   }
+  elements_.push_back({"<polygon points=\"" + points + "\" " + look + " stroke-width=\"", px, "\"/>"});
 }
 
 void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
@@ -185,15 +177,7 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
   const detail::PolygonData& data = polygon.data();
   const detail::Hierarchy& hierarchy = hierarchyOf(data);
   const auto draw = [&](const std::array<Vec2, 4>& box) {
-    std::string points;
-    for (const Vec2& corner : box) {
-      const Vec2 world = pose * corner;
-      include(world);
-      points += (points.empty() ? "" : " ") + pair(world);
-    }
-    elements_.push_back({"<polygon points=\"" + points + "\" fill=\"none\" stroke=\"" + escaped(stroke) +
-                             "\" stroke-opacity=\"0.7\" stroke-width=\"",
-                         1, "\"/>"});
+    quadrangle(box, pose, "fill=\"none\" stroke=\"" + escaped(stroke) + "\" stroke-opacity=\"0.7\"", 1);
   };
   if (level == 0)
     draw(corners(data, hierarchy.root, Vec2::Zero(), 1));
@@ -208,8 +192,7 @@ void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std:
   for (int i = 0; i < discs.count; ++i) {
     const Vec2 center = pose * Vec2(data.origin + Vec2(discs.x[i], discs.y[i]) * data.unit);
     const double radius = discs.radius[i] * data.unit;
-    include(center - Vec2(radius, radius));
-    include(center + Vec2(radius, radius));
+    include(center, radius);
     elements_.push_back({"<circle cx=\"" + number(center.x()) + "\" cy=\"" + number(-center.y()) + "\" r=\"" +
                              number(radius) + "\" fill=\"" + escaped(fill) + "\" fill-opacity=\"0.2\" stroke=\"" +
                              escaped(fill) + "\" stroke-width=\"",

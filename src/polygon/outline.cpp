@@ -66,14 +66,13 @@ class Tracer {
   /// Cells are kept with a free margin around them.
   std::size_t cell(std::size_t x, std::size_t y) const { return (y + 1) * stride_ + x + 1; }
 
-  /// The cells around the corner (x, y) that are ahead, on the left and on the right.
+  static Heading toTheLeft(Heading heading) { return static_cast<Heading>((heading + 1) % 4); }
+  static Heading toTheRight(Heading heading) { return static_cast<Heading>((heading + 3) % 4); }
+
+  /// The cell ahead of the corner (x, y), on the left.
   bool aheadLeft(std::size_t x, std::size_t y, Heading heading) const {
     return occupied_[cell(x, y) - (heading == kWest || heading == kNorth ? 1 : 0) -
                      (heading == kWest || heading == kSouth ? stride_ : 0)];
-  }
-  bool aheadRight(std::size_t x, std::size_t y, Heading heading) const {
-    return occupied_[cell(x, y) - (heading == kWest || heading == kSouth ? 1 : 0) -
-                     (heading == kEast || heading == kSouth ? stride_ : 0)];
   }
 
   /// Along the occupied cell's lower side, and on with the occupied cells on the left.
@@ -90,11 +89,11 @@ class Tracer {
       y += heading == kNorth ? 1 : 0;
       x -= heading == kWest ? 1 : 0;
       y -= heading == kSouth ? 1 : 0;
-      const bool left = aheadLeft(x, y, heading), right = aheadRight(x, y, heading);
+      const bool left = aheadLeft(x, y, heading), right = aheadLeft(x, y, toTheRight(heading));
       if (left && !right) continue;
       ring.emplace_back(x_[x], y_[y]);
       // With the cells ahead free or the right one alone occupied, which shares but a corner, around this one.
-      heading = static_cast<Heading>((heading + (left ? 3 : 1)) % 4);
+      heading = left ? toTheRight(heading) : toTheLeft(heading);
     }
     return ring;
   }
