@@ -30,7 +30,10 @@ namespace {
 }  // namespace
 
 Inclusion includeInDisc(const PolygonData& polygon, const Hierarchy* hierarchy, const IncludedPoint& point) {
-  return hierarchy != nullptr ? includeByRay(polygon, *hierarchy, point) : includeInCovering(polygon, point);
+  if (hierarchy != nullptr) return includeByRay(polygon, *hierarchy, point);
+  CoveringSum sum(polygon, point);
+  sum.addAll();
+  return sum.result();
 }
 
 }  // namespace tricover::detail

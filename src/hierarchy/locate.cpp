@@ -14,8 +14,6 @@
 namespace tricover {
 namespace {
 
-void checkPoint(const Vec2& point) { detail::requireFinite(point, "point"); }
-
 /// Null until the queries so far have cost as much as a tree (ski-rental).
 const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   const detail::Hierarchy* built = detail::hierarchyIfBuilt(polygon);
@@ -74,7 +72,7 @@ double clearanceOf(const detail::PolygonData& polygon, const detail::Hierarchy& 
 }  // namespace
 
 Location locate(const Polygon& polygon, const Vec2& point) {
-  checkPoint(point);
+  detail::requireFinite(point, "point");
   const detail::PolygonData& data = polygon.data();
   return isOutsideDisc(data, point) ? detail::includeFarAway(data).location
                                     : locateInDisc(data, hierarchyInTime(data), point);
@@ -82,7 +80,7 @@ Location locate(const Polygon& polygon, const Vec2& point) {
 
 Location locate(const Polygon& polygon, const Vec2& point, PointCache& caller_cache) {
   detail::PointCertificate& cache = detail::contentsOf(caller_cache);
-  checkPoint(point);
+  detail::requireFinite(point, "point");
   const detail::PolygonData& data = polygon.data();
   if (isOutsideDisc(data, point)) return detail::includeFarAway(data).location;
   if (cache.back_off.left <= 1) return locateByCertificate(data, point, cache);

@@ -59,13 +59,6 @@ Inclusion CoveringSum::result() const {
   return {isInside(polygon_.fill, sum_ / 2) ? Location::Inside : Location::Outside, sum_ / 2};
 }
 
-Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& point) {
-  if (outsideBoundingDisc(polygon, point.approx)) return includeFarAway(polygon);
-  CoveringSum sum(polygon, point);
-  sum.addAll();
-  return sum.result();
-}
-
 }  // namespace tricover::detail
 
 namespace tricover::paper {

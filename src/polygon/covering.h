@@ -82,7 +82,4 @@ class CoveringSum {
   bool on_boundary_ = false;
 };
 
-/// Algorithm 1: all edges, O(n).
-Inclusion includeInCovering(const PolygonData& polygon, const IncludedPoint& point);
-
 }  // namespace tricover::detail

@@ -77,7 +77,8 @@ struct Tally {
 
   /// By the edges along a ray, which is expected to be as by all edges.
   Inclusion locate(const Polygon& polygon, const IncludedPoint& point) {
-    const Inclusion found = includeInPolygon(polygon.data(), point), truth = includeInCovering(polygon.data(), point);
+    const Inclusion found = includeInPolygon(polygon.data(), point),
+                    truth = includeInDisc(polygon.data(), nullptr, point);
     EXPECT_EQ(found.location, truth.location);
     EXPECT_EQ(found.winding, truth.winding);
     ++all;
