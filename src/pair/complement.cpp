@@ -17,36 +17,32 @@
 namespace tricover::detail {
 namespace {
 
-/// A point that is ordered by x, then by y, which is the order along any line.
-using Place = std::array<double, 2>;
-Place placeOf(const Vec2& p) { return {p.x(), p.y()}; }
-
 /// A piece of an edge, between points exactly on the edge.
 struct Piece {
   /// The same for pieces that are the same but for their direction.
-  std::array<Place, 2> key() const { return {std::min(v, w), std::max(v, w)}; }
+  std::array<OrderedPoint, 2> key() const { return {std::min(v, w), std::max(v, w)}; }
 
-  Place v, w;
+  OrderedPoint v, w;
   std::size_t edge;  ///< its position
 };
 
 /// All edges in order, cut where a vertex is on them. Any two pieces are then the same but for their direction, or have
 /// no more than points in common.
 std::vector<Piece> cutEdges(const PolygonData& polygon) {
-  std::vector<std::vector<Place>> places(polygon.path.size());
+  std::vector<std::vector<OrderedPoint>> places(polygon.path.size());
   const Pose still = Pose::Identity();
   forEachPair(PosedPair(polygon, still, polygon, still), 0, [&](double, std::size_t i, std::size_t j) {
     const Vec2 &v = polygon.path[i], &w = polygon.path[i + 1], &p = polygon.path[j];
     if (p == v || p == w || (orientation(v, w, p) == 0 && betweenExact({nullptr, p}, {nullptr, v}, {nullptr, w})))
-      places[i].push_back(placeOf(p));
+      places[i].push_back(ordered(p));
     return 0.0;
   });
   std::vector<Piece> pieces;
   forEachEdge(polygon, [&](std::size_t edge) {
-    std::vector<Place>& along = places[edge];
+    std::vector<OrderedPoint>& along = places[edge];
     std::sort(along.begin(), along.end());
     along.erase(std::unique(along.begin(), along.end()), along.end());
-    if (along.front() != placeOf(polygon.path[edge])) std::reverse(along.begin(), along.end());
+    if (along.front() != ordered(polygon.path[edge])) std::reverse(along.begin(), along.end());
     if (along.size() == 1) along.push_back(along[0]);
     for (std::size_t k = 1; k < along.size(); ++k) pieces.push_back({along[k - 1], along[k], edge});
     return true;
@@ -79,7 +75,7 @@ std::vector<bool> bordersOf(const PolygonData& given, const std::vector<Piece>& 
 struct BorderPieces {
   explicit BorderPieces(const PolygonData& polygon) {
     const std::vector<Piece> pieces = cutEdges(polygon);
-    std::map<std::array<Place, 2>, int> counts;
+    std::map<std::array<OrderedPoint, 2>, int> counts;
     for (const Piece& piece : pieces) ++counts[piece.key()];
     std::vector<bool> borders;
     if (polygon.fill.rule == FillRule::NonZero) borders = bordersOf(polygon, pieces);
@@ -95,17 +91,17 @@ struct BorderPieces {
 
   /// Rings of all pieces. An even number of them ends at each point, so that a walk ends where it began.
   std::vector<Ring> rings() const {
-    std::map<Place, std::set<std::size_t>> left;  // pieces by their ends
+    std::map<OrderedPoint, std::set<std::size_t>> left;  // pieces by their ends
     for (std::size_t k = 0; k < all.size(); ++k)
-      for (const Place& end : {all[k].v, all[k].w}) left[end].insert(k);
+      for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].insert(k);
     std::vector<Ring> rings;
     for (std::size_t first = 0; first < all.size(); ++first) {
       if (left[all[first].v].count(first) == 0) continue;
       rings.emplace_back();
-      Place point = all[first].v;
+      OrderedPoint point = all[first].v;
       for (std::size_t k = first;;) {
         rings.back().push_back(Vec2(point.data()));
-        for (const Place& end : {all[k].v, all[k].w}) left[end].erase(k);
+        for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].erase(k);
         point = all[k].v == point ? all[k].w : all[k].v;
         if (point == all[first].v) break;
         // The next piece of the same ring leads on, or else any.

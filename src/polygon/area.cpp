@@ -10,6 +10,7 @@
 
 #include "numbers/predicates.h"
 #include "polygon/covering.h"
+#include "polygon/edge_walk.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover {
@@ -152,29 +153,25 @@ class Sweep {
   Moments sum_;
 };
 
-/// A point that is ordered by x, then by y, which is the order along any line.
-using Place = std::array<double, 2>;
-Place placeOf(const Vec2& p) { return {p.x(), p.y()}; }
-
 /// Whether the region has an area. It has none exactly if the edges on every line cancel: then no edge separates inside
 /// from outside. One line of edges that don't cancel proves an area, and most polygons have it first.
 bool hasArea(const PolygonData& polygon) {
   // By the edge's ends, in their order: by how much crossing it changes the winding number.
-  std::map<std::array<Place, 2>, int> windings;
+  std::map<std::array<OrderedPoint, 2>, int> windings;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
     for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const Place v = placeOf(polygon.path[e]), w = placeOf(polygon.path[e + 1]);
+      const OrderedPoint v = ordered(polygon.path[e]), w = ordered(polygon.path[e + 1]);
       if (v != w) windings[{std::min(v, w), std::max(v, w)}] += v < w ? 1 : -1;
     }
-  std::vector<std::pair<std::array<Place, 2>, int>> edges;
+  std::vector<std::pair<std::array<OrderedPoint, 2>, int>> edges;
   for (const auto& edge : windings)
     if (isInside(polygon.fill, edge.second)) edges.push_back(edge);
   for (auto begin = edges.begin(); begin != edges.end();) {
     const Vec2 first(begin->first[0].data()), last(begin->first[1].data());
-    const auto isOn = [&](const Place& p) { return orientation(first, last, Vec2(p.data())) == 0; };
+    const auto isOn = [&](const OrderedPoint& p) { return orientation(first, last, Vec2(p.data())) == 0; };
     const auto end = std::partition(begin, edges.end(),
                                     [&](const auto& edge) { return isOn(edge.first[0]) && isOn(edge.first[1]); });
-    std::map<Place, int> steps;
+    std::map<OrderedPoint, int> steps;
     for (; begin != end; ++begin) {
       steps[begin->first[0]] += begin->second;
       steps[begin->first[1]] -= begin->second;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {
+
+/// A point that is ordered by x, then by y, which is the order along any line.
+using OrderedPoint = std::array<double, 2>;
+inline OrderedPoint ordered(const Vec2& p) { return {p.x(), p.y()}; }
 
 /// Calls visit(edge), a position in the path, for every edge, ring by ring, until it returns false.
 template <typename Visit>
