@@ -6,12 +6,13 @@
 
 namespace tricover::detail {
 
+constexpr int kExponentBias = 1023, kFractionBits = 52;
+
 /// The exponent of a normal double that isn't negative; -1023 of smaller ones, 1024 of infinity.
 inline int exponentOf(double value) {
-  constexpr int kBias = 1023, kFraction = 52;
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
-  return static_cast<int>(bits >> kFraction) - kBias;
+  return static_cast<int>(bits >> kFractionBits) - kExponentBias;
 }
 
 /// The next double above a finite one that isn't negative: their bits count.
@@ -25,8 +26,7 @@ inline double nextAbove(double value) {
 
 /// 2^exponent, of a normal double's exponent.
 inline double powerOfTwo(int exponent) {
-  constexpr int kBias = 1023, kFraction = 52;
-  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + kBias) << kFraction;
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + kExponentBias) << kFractionBits;
   double power;
   std::memcpy(&power, &bits, sizeof power);
   return power;

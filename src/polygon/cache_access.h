@@ -21,10 +21,6 @@ struct CacheAccess {
     return cache.masks_;
   }
 
-  /// Begins the life of what is kept there.
-  static void begin(PairCache& cache) { new (cache.bytes_) PairCacheContents; }
-  static void begin(PointCache& cache) { new (cache.bytes_) PointCertificate; }
-
  private:
   template <typename Contents, std::size_t kBytes>
   static Contents& in(unsigned char (&bytes)[kBytes]) {

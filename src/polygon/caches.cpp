@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polygon/cache_access.h"
+#include <new>
+
+#include "polygon/cache_contents.h"
 
 namespace tricover {
 
-PairCache::PairCache() { detail::CacheAccess::begin(*this); }
-PointCache::PointCache() { detail::CacheAccess::begin(*this); }
+PairCache::PairCache() { new (bytes_) detail::PairCacheContents; }
+PointCache::PointCache() { new (bytes_) detail::PointCertificate; }
 
 }  // namespace tricover

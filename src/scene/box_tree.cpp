@@ -42,8 +42,6 @@ std::uint32_t BoxTree::newNode(bool leaf) {
   return index;
 }
 
-void BoxTree::freeNode(std::uint32_t index) { free_.push_back(index); }
-
 void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
   Node& node = nodes_[index];
   node.set(lane, entry.bounds);
@@ -150,13 +148,13 @@ void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
       const std::uint32_t old = root_;
       root_ = nodes_[old].child[0];
       nodes_[root_].parent = kNone;
-      freeNode(old);
+      free_.push_back(old);
     }
     return;
   }
   if (node.count > 0) return tighten(index);
   const std::uint32_t parent = node.parent, own = node.lane;
-  freeNode(index);
+  free_.push_back(index);
   takeFrom(parent, own);
 }
 

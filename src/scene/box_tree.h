@@ -122,7 +122,6 @@ class BoxTree {
                   const std::vector<Entry>& entries);
 
   std::uint32_t newNode(bool leaf);
-  void freeNode(std::uint32_t index);
   void put(std::uint32_t index, unsigned lane, const Entry& entry);
   std::uint32_t leafFor(const Bounds& bounds);
   void addTo(std::uint32_t index, const Entry& entry);
