@@ -308,7 +308,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactOfBodiesThatComeAndGo) {
     ++hits;
     later += expected.time_of_contact > 0;
   }
-  if (isScaledDown()) return;
+  if (tricover::support::isScaledDown()) return;
   EXPECT_GT(never, count / 20);
   EXPECT_GT(hits, count / 5);
   EXPECT_LT(hits, count * 4 / 5);
