@@ -68,15 +68,15 @@ class EdgeSides {
 
   /// Whether some piece of it is what is sought, or beside that on one side: of a pair, the inside of both regions.
   bool hasSought() const { return !sought_.empty(); }
-  /// Of a pair: whether that is beside a piece that shares a point with this edge, which meets it. `edge` is the other
+  /// Whether that is, of a pair, beside a piece that shares a point with this edge, which meets it. `edge` is the other
   /// operand's.
   bool bordersBothAt(std::size_t edge) const;
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
   bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
-  /// Of an edge of an area, where what others don't hold is sought: whether some piece of it, beside which no area has
-  /// its inside on one side at least, is nearer than a margin to an edge of the first region, as the edge as a whole
-  /// is. Throws std::invalid_argument where rounding hides that.
+  /// Whether some piece of an area's edge, beside which no area has its inside on one side at least, is nearer than a
+  /// margin to an edge of the first region, as the edge as a whole is. For regions of which what others don't hold is
+  /// sought. Throws std::invalid_argument where rounding hides that.
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }

@@ -180,7 +180,7 @@ inline double marginSum(double p, double q) {
   return std::max(std::min(p + q, kMost), -kMost);
 }
 
-/// What a margin adds to a box: a negative one leaves the box as it is.
+/// The margin that a box gets: a negative one leaves the box as it is.
 inline double marginOfBox(double margin) { return std::max(margin, 0.0); }
 
 /// The options of a query about one body: margins add up, and touching is allowed if either allows it.
