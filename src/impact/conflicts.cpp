@@ -179,12 +179,13 @@ void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, co
     const auto last = contact.endOfContact(0);
     time = last.time;
     leaves_out = time == 1;
-    // Whether the first contact lasts is unknown.
+    // Whether the first contact lasts is unknown. What touches within rounding alone may have no impact at all.
     if (!last.is_known) {
-      Impact impact = *timeOfImpact(a, motion_a, b, motion_b, options);
-      impact.time = time;
-      impact.budget_ended = true;
-      return add(impact, last);
+      std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
+      if (!impact) return;
+      impact->time = time;
+      impact->budget_ended = true;
+      return add(*impact, last);
     }
   }
   while (const auto impact = contact.next(time)) {

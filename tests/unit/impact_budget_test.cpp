@@ -70,5 +70,21 @@ TEST(ImpactBudget, EndsWithConflictsThatStayUnknown) {
   }
 }
 
+/// They touch at the start within rounding alone, for longer than the budget lasts, and are never as deep as is
+/// allowed.
+TEST(ImpactBudget, LeavesOutAContactThatIsNoImpact) {
+  const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
+  int without = 0;
+  for (const double off : {3e-13, 3.8e-13, 4.1e-13, 4.4e-13}) {
+    const Motion beside = Motion::translation(pose(0, 1.875 + off, -0.5), {0, 1});
+    const ImpactOptions options{-0.125, 0, true};
+    if (timeOfImpact(notched, kStill, kSquare, beside, {-0.125, 0})) continue;
+    ++without;
+    EXPECT_FALSE(timeOfImpact(notched, kStill, kSquare, beside, options)) << off;
+    EXPECT_TRUE(conflicts(notched, kStill, kSquare, beside, options).empty()) << off;
+  }
+  EXPECT_GE(without, 2);
+}
+
 }  // namespace
 }  // namespace tricover::support
