@@ -217,8 +217,8 @@ class ContactFinder {
     return depth > 64 * frame_.error() ? exit : exitOfTouch(exit, way);
   }
 
-  /// Of a touch whose normal leads into or along a wall: the middle of the widest range of directions that part them,
-  /// if there is one.
+  /// The middle of the widest range of directions that part them, if there is one, for a touch whose normal leads into
+  /// or along a wall.
   Vec2 freed(const Exit& exit) const {
     constexpr int kDirections = 64;
     const auto at = [](double k) {

@@ -199,7 +199,7 @@ void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, std::int8
   cuts_.push_back({point.pose, {point.local, point.local}, operand, 0, true, false, along, low, high});
 }
 
-/// Of two points on the line: 1 if the way comes to p before q, -1 after it.
+/// The order of two points on the line: 1 if the way comes to p before q, -1 after it.
 int EdgeSides::compareAlong(const SeenPoint& p, const SeenPoint& q) const {
   for (const int axis : {0, 1})
     if (const int sign = compareExact(w_.exact, v_.exact, axis)) return compareExact(q.exact, p.exact, axis) * sign;

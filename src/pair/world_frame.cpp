@@ -36,10 +36,11 @@ WorldFrame::WorldFrame(const PosedPair& pair)
     : pair_(pair),
       linear_a_(pair.pose_a.linear()),
       linear_b_(pair.pose_b.linear()),
-      unit_(unitFor(pair, quarterToA(pair))),
+      quarter_to_a_(quarterToA(pair)),
+      unit_(unitFor(pair, quarter_to_a_)),
       scale_a_(pair.a.unit / unit_),
       scale_b_(pair.b.unit / unit_),
-      origin_a_(quarterToA(pair) / unit_ * 4),
+      origin_a_(quarter_to_a_ / unit_ * 4),
       quarter_origin_(linear_b_ * (pair.b.origin / 4) + pair.pose_b.translation() / 4) {
   error_ = kPointError * (scale_a_ + scale_b_ + origin_a_.lpNorm<1>());
 }

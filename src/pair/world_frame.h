@@ -56,6 +56,7 @@ class WorldFrame {
 
   const PosedPair& pair_;
   Eigen::Matrix2d linear_a_, linear_b_;
+  Vec2 quarter_to_a_;  ///< of the way from b's S to a's in the world
   double unit_, scale_a_, scale_b_, error_;
   Vec2 origin_a_;
   Vec2 quarter_origin_;  ///< of b's S in the world
