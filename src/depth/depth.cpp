@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tricover/depth.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "depth/border.h"
+#include "depth/deepest_point.h"
+#include "depth/depth_in_order.h"
+#include "numbers/rigidity.h"
+#include "pair/discs.h"
+#include "pair/interiors.h"
+#include "pair/kernel_order.h"
+#include "pair/posed_pair.h"
+#include "tricover/collide.h"
+#include "tricover/covers.h"
+
+namespace tricover {
+namespace detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
+  return position < 0 ? -1 : polygon.edgeName(static_cast<std::size_t>(position));
+}
+
+}  // namespace
+
+Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double enough) {
+  Depth result{0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0};
+  if (a.fill.is_complement && b.fill.is_complement) {
+    result.depth = result.upper_bound = kInfinity;
+    return result;
+  }
+  DeepestPoint of_b, of_a;
+  const PolygonData *const in_a = withBordersOnly(a), *const in_b = withBordersOnly(b);
+  std::optional<Overlap> overlap;
+  if (in_a != nullptr) {
+    overlap.emplace(*in_a, pose_a, true, b, pose_b, true);
+    of_b = findDeepestPoint(*overlap, overlap->is_swapped ? 0 : 1, 0, enough);
+  }
+  if (in_b != nullptr && !(of_b.distance > enough)) {
+    if (in_a != &a || in_b != &b) overlap.emplace(a, pose_a, true, *in_b, pose_b, true);
+    of_a = findDeepestPoint(*overlap, overlap->is_swapped ? 1 : 0, of_b.distance, enough);
+  }
+  result.is_point_of_a = of_a.distance > of_b.distance;
+  const DeepestPoint& deepest = result.is_point_of_a ? of_a : of_b;
+  result.depth = deepest.distance;
+  result.upper_bound = std::max({of_a.upper_bound, of_b.upper_bound, result.depth});
+  if (result.depth > 0) {
+    result.point_a = result.is_point_of_a ? deepest.point : deepest.nearest;
+    result.point_b = result.is_point_of_a ? deepest.nearest : deepest.point;
+    result.normal = (result.point_a - result.point_b).stableNormalized();
+    const auto name = [](const PolygonData& polygon, const PolygonData* borders, std::ptrdiff_t edge) {
+      return nameOf(borders != nullptr ? *borders : polygon, edge);
+    };
+    result.edge_a = result.is_point_of_a ? name(a, nullptr, deepest.edge) : name(a, in_a, deepest.nearest_edge);
+    result.edge_b = result.is_point_of_a ? name(b, in_b, deepest.nearest_edge) : name(b, nullptr, deepest.edge);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  detail::requireRigid(pose_a, pose_b);
+  return detail::inKernelOrder(
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return detail::depthInOrder(operands..., detail::kInfinity); },
+      [](Depth& depth) {
+        depth.normal = -depth.normal;
+        std::swap(depth.point_a, depth.point_b);
+        std::swap(depth.edge_a, depth.edge_b);
+        depth.is_point_of_a = !depth.is_point_of_a;
+      });
+}
+
+Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, const Pose& pose_area) {
+  detail::requireRigid(pose_part, "pose_part");
+  detail::requireRigid(pose_area, "pose_area");
+  const detail::PolygonData &of_part = part.data(), &of_area = area.data();
+  Excess result{0, Vec2::Zero(), Vec2::Zero(), -1, -1, 0};
+  if (covers(area, pose_area, part, pose_part)) return result;
+  if (part.isComplement() && !area.isComplement()) {
+    result.distance = result.upper_bound = detail::kInfinity;
+    return result;
+  }
+  const detail::Overlap overlap(of_part, pose_part, true, of_area, pose_area, false);
+  const detail::DeepestPoint found =
+      detail::findDeepestPoint(overlap, overlap.is_swapped ? 1 : 0, 0, detail::kInfinity);
+  return {found.distance,
+          found.point,
+          found.nearest,
+          detail::nameOf(of_part, found.edge),
+          detail::nameOf(of_area, found.nearest_edge),
+          found.upper_bound};
+}
+
+double hausdorffDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  return std::max(excess(a, pose_a, b, pose_b).distance, excess(b, pose_b, a, pose_a).distance);
+}
+
+}  // namespace tricover
