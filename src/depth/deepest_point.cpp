@@ -30,8 +30,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostSteps = std::size_t{1} << 17;
-/// Of the size of coordinates: what bounds may be apart by.
-constexpr double kPrecision = 0x1p-48;
 
 /// Of an area near a cell: with more of them the cell is cut.
 constexpr std::size_t kMostEdges = 48;
@@ -68,8 +66,8 @@ class DepthSearch {
         part_(overlap.pair, frame_, part_side),
         area_(overlap.pair, frame_, 1 - part_side),
         arcs_(overlap.arcs[part_side]),
-        is_outside_(overlap.is_sought_inside[1 - part_side]),
-        precision_(kPrecision * frame_.size()),
+        is_outside_(overlap.is_outside),
+        precision_(overlap.precision()),
         enough_(enough / frame_.unit()),
         search_(-least / frame_.unit()) {}
 
@@ -88,6 +86,7 @@ class DepthSearch {
 
  private:
   bool isOutside(const Vec2& p) const {
+    if (overlap_.excludes) return overlap_.excludes(frame_.toWorld(p));
     const Location location = area_.locate(p);
     return is_outside_ ? location == Location::Inside : location == Location::Outside;
   }
@@ -388,8 +387,19 @@ class DepthSearch {
 
 }  // namespace
 
-DeepestPoint findDeepestPoint(const Overlap& overlap, int part_side, double least, double enough) {
-  return DepthSearch(overlap, part_side, least, enough).find();
+Overlap::Overlap(const PolygonData& part, const Pose& pose_part, const Area& area)
+    : excludes(area.excludes),
+      is_outside(area.is_outside),
+      part_side(area.polygon.unit >= part.unit ? 1 : 0),
+      pair(part_side == 1 ? PosedPair(area.polygon, area.pose, part, pose_part)
+                          : PosedPair(part, pose_part, area.polygon, area.pose)),
+      frame(pair),
+      crossings(findCrossings(pair, frame)),
+      arcs{{pair, frame, crossings, 0, part_side == 0 ? is_outside : true, !excludes},
+           {pair, frame, crossings, 1, part_side == 1 ? is_outside : true, !excludes}} {}
+
+DeepestPoint findDeepestPoint(const Overlap& overlap, bool swaps, double least, double enough) {
+  return DepthSearch(overlap, swaps ? 1 - overlap.part_side : overlap.part_side, least, enough).find();
 }
 
 }  // namespace tricover::detail

@@ -2,32 +2,38 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 #include "depth/inner_arcs.h"
 
 namespace tricover::detail {
 
-/// What two regions have in common, or what one of them has outside of the other one.
+/// Part and area: where they meet, and the arcs of either one that the other one has. Of the part that is the inside, of
+/// the area, whose distance is sought, what is outside of it.
 struct Overlap {
-  /// The pair, that with the larger unit first. `is_a_inside`: whether what is inside of a is sought, or else outside;
-  /// of a polygon that is a part, the inside.
-  Overlap(const PolygonData& a, const Pose& pose_a, bool is_a_inside, const PolygonData& b, const Pose& pose_b,
-          bool is_b_inside)
-      : is_swapped(a.unit < b.unit),
-        pair(is_swapped ? PosedPair(b, pose_b, a, pose_a) : PosedPair(a, pose_a, b, pose_b)),
-        frame(pair),
-        is_sought_inside{is_swapped ? is_b_inside : is_a_inside, is_swapped ? is_a_inside : is_b_inside},
-        crossings(findCrossings(pair, frame)),
-        arcs{{pair, frame, crossings, 0, is_sought_inside[1]}, {pair, frame, crossings, 1, is_sought_inside[0]}} {}
+  struct Area {
+    const PolygonData& polygon;  ///< the area's edges; where the area is what is outside of it, its borders alone
+    const Pose& pose;
+    bool is_outside = false;  ///< whether the area is the closure of what is outside of the polygon
+    /// Tells of a point in the world whether it is outside of the area, if the polygon doesn't.
+    std::function<bool(const Vec2&)> excludes = nullptr;
+  };
+
+  Overlap(const PolygonData& part, const Pose& pose_part, const Area& area);
   Overlap(const Overlap&) = delete;
   Overlap& operator=(const Overlap&) = delete;
 
-  const bool is_swapped;
+  /// What bounds may be apart by, in the frame.
+  double precision() const { return 0x1p-48 * frame.size(); }
+
+  const std::function<bool(const Vec2&)> excludes;
+  const bool is_outside;
+  const int part_side;   ///< the pair has the larger unit first
   const PosedPair pair;
   const WorldFrame frame;
-  const bool is_sought_inside[2];  ///< by side
   const std::vector<EdgeCrossing> crossings;
-  const InnerArcs arcs[2];  ///< of each side, in what is sought of the other
+  const InnerArcs arcs[2];  ///< by side
 };
 
 /// The point of a part that is farthest from an area, in the world. Edges are positions, or -1.
@@ -38,8 +44,9 @@ struct DeepestPoint {
   double upper_bound = 0;
 };
 
-/// The point of one side, the part, that is deepest in what is sought of the other one, the area's outside. Points that
-/// are no farther than `least` from the area don't count. The search ends as soon as a point is farther than `enough`.
-DeepestPoint findDeepestPoint(const Overlap& overlap, int part_side, double least, double enough);
+/// The point of the part that is farthest from the area. Points that are no farther than `least` don't count. The search
+/// ends as soon as a point is farther than `enough`. With `swaps`, of an area that is what is outside of its polygon: the
+/// point of that polygon that is farthest from what is outside of the part, whose edges must all be borders.
+DeepestPoint findDeepestPoint(const Overlap& overlap, bool swaps, double least, double enough);
 
 }  // namespace tricover::detail

@@ -27,25 +27,23 @@ EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
   return position < 0 ? -1 : polygon.edgeName(static_cast<std::size_t>(position));
 }
 
-}  // namespace
-
-Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double enough) {
+/// Whose depths are above `enough` or not above `least` needs no better answer.
+Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double least,
+                   double enough, double* precision) {
   Depth result{0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0};
-  if (a.fill.is_complement && b.fill.is_complement) {
-    result.depth = result.upper_bound = kInfinity;
-    return result;
-  }
   DeepestPoint of_b, of_a;
   const PolygonData *const in_a = withBordersOnly(a), *const in_b = withBordersOnly(b);
   std::optional<Overlap> overlap;
   if (in_a != nullptr) {
-    overlap.emplace(*in_a, pose_a, true, b, pose_b, true);
-    of_b = findDeepestPoint(*overlap, overlap->is_swapped ? 0 : 1, 0, enough);
+    overlap.emplace(b, pose_b, Overlap::Area{*in_a, pose_a, true});
+    of_b = findDeepestPoint(*overlap, false, least, enough);
   }
   if (in_b != nullptr && !(of_b.distance > enough)) {
-    if (in_a != &a || in_b != &b) overlap.emplace(a, pose_a, true, *in_b, pose_b, true);
-    of_a = findDeepestPoint(*overlap, overlap->is_swapped ? 1 : 0, of_b.distance, enough);
+    const bool are_given = in_a == &a && in_b == &b;
+    if (!are_given) overlap.emplace(a, pose_a, Overlap::Area{*in_b, pose_b, true});
+    of_a = findDeepestPoint(*overlap, are_given, std::max(least, of_b.distance), enough);
   }
+  if (overlap) *precision = overlap->precision() * overlap->frame.unit();
   result.is_point_of_a = of_a.distance > of_b.distance;
   const DeepestPoint& deepest = result.is_point_of_a ? of_a : of_b;
   result.depth = deepest.distance;
@@ -63,13 +61,34 @@ Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& 
   return result;
 }
 
+}  // namespace
+
+Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                   const DepthWish& wish) {
+  if (a.fill.is_complement && b.fill.is_complement)
+    return {kInfinity, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, kInfinity};
+  double precision = 0;
+  if (wish.beside < kInfinity) {
+    // Bounds that are farther apart than the precision of all searches decide.
+    const double room = 0x1p-44 * (a.extent + b.extent + (pose_a.translation() - pose_b.translation()).lpNorm<1>());
+    const Depth found = depthBetween(a, pose_a, b, pose_b, std::max(wish.beside - room, 0.0), wish.beside + room, &precision);
+    if (found.upper_bound < wish.beside - room || found.depth > wish.beside + room) return found;
+  }
+  Depth found = depthBetween(a, pose_a, b, pose_b, 0, kInfinity, &precision);
+  // Rounding must not hide whether a point of one is inside of the other.
+  if (found.upper_bound > 64 * precision) return found;
+  const bool is_deep = interiorsMeet(a, pose_a, b, pose_b);
+  if (is_deep && found.depth > 0) return found;
+  const double least = is_deep ? std::numeric_limits<double>::min() : 0;
+  return {least, found.normal, Vec2::Zero(), Vec2::Zero(), -1, -1, false, least};
+}
+
 }  // namespace detail
 
 Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  detail::requireRigid(pose_a, pose_b);
+  if (!collide(a, pose_a, b, pose_b)) return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0};
   return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return detail::depthInOrder(operands..., detail::kInfinity); },
+      a.data(), pose_a, b.data(), pose_b, [&](const auto&... operands) { return detail::depthInOrder(operands..., {}); },
       [](Depth& depth) {
         depth.normal = -depth.normal;
         std::swap(depth.point_a, depth.point_b);
@@ -79,8 +98,6 @@ Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& 
 }
 
 Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, const Pose& pose_area) {
-  detail::requireRigid(pose_part, "pose_part");
-  detail::requireRigid(pose_area, "pose_area");
   const detail::PolygonData &of_part = part.data(), &of_area = area.data();
   Excess result{0, Vec2::Zero(), Vec2::Zero(), -1, -1, 0};
   if (covers(area, pose_area, part, pose_part)) return result;
@@ -88,9 +105,8 @@ Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, c
     result.distance = result.upper_bound = detail::kInfinity;
     return result;
   }
-  const detail::Overlap overlap(of_part, pose_part, true, of_area, pose_area, false);
-  const detail::DeepestPoint found =
-      detail::findDeepestPoint(overlap, overlap.is_swapped ? 1 : 0, 0, detail::kInfinity);
+  const detail::Overlap overlap(of_part, pose_part, {of_area, pose_area});
+  const detail::DeepestPoint found = detail::findDeepestPoint(overlap, false, 0, detail::kInfinity);
   return {found.distance,
           found.point,
           found.nearest,

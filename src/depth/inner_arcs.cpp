@@ -25,12 +25,14 @@ struct KnownWinding {
 
 class Collector {
  public:
-  Collector(const PosedPair& pair, const WorldFrame& frame, int side, bool wants_inside, InnerArcs& result)
+  Collector(const PosedPair& pair, const WorldFrame& frame, int side, bool wants_inside, bool has_windings,
+            InnerArcs& result)
       : pair_(side == 0 ? pair.back() : pair),
         frame_(frame),
         side_(side),
         own_(polygonOf(pair, side)),
         wants_inside_(wants_inside),
+        has_windings_(has_windings),
         result_(result) {}
 
   void addRing(std::size_t ring, const RingStop* begin, const RingStop* end) {
@@ -71,6 +73,7 @@ class Collector {
   }
 
   KnownWinding windingAt(std::size_t v) const {
+    if (!has_windings_) return {};
     const Inclusion found = includeInPolygon(pair_.a, seenFromA(pair_, own_.path[v]));
     if (found.location == Location::Boundary) return {};
     return {true, isMirrored(pair_.pose_a) ? -found.winding : found.winding};
@@ -98,7 +101,7 @@ class Collector {
   const WorldFrame& frame_;
   const int side_;
   const PolygonData& own_;
-  const bool wants_inside_;
+  const bool wants_inside_, has_windings_;
   InnerArcs& result_;
   std::size_t from_ = 0;
 };
@@ -106,7 +109,7 @@ class Collector {
 }  // namespace
 
 InnerArcs::InnerArcs(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings,
-                     int side, bool wants_inside) {
+                     int side, bool wants_inside, bool has_windings) {
   std::vector<RingStop> meetings;
   for (const EdgeCrossing& c : crossings) {
     const Span& on = c.on[side];
@@ -121,7 +124,7 @@ InnerArcs::InnerArcs(const PosedPair& pair, const WorldFrame& frame, const std::
     return p.edge != q.edge ? p.edge < q.edge : p.at != q.at ? p.at < q.at : p.other < q.other;
   });
   const PolygonData& own = polygonOf(pair, side);
-  Collector collector(pair, frame, side, wants_inside, *this);
+  Collector collector(pair, frame, side, wants_inside, has_windings, *this);
   const RingStop *begin = meetings.data(), *const all = begin + meetings.size();
   for (std::size_t ring = 0; ring < own.ringCount(); ++ring) {
     const RingStop* end = begin;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "convex/posed_vertices.h"
+#include "depth/depth_in_order.h"
 #include "distance/distance_result.h"
 #include "distance/options.h"
 #include "pair/kernel_order.h"
@@ -17,13 +18,12 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
                               const DistanceOptions& options) {
   detail::checkOptions(options);
   const bool meet = collide(a, pose_a, b, pose_b);
-  if (meet) detail::requireBounded(a, b);
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) -> SignedDistance {
         if (meet) {
-          const Penetration p = detail::penetrationInOrder(operands..., 0);
-          return {0 - p.depth - options.margin, p.normal, p.point_a, p.point_b, p.edge_a, p.edge_b};
+          const Depth d = detail::depthInOrder(operands..., {});
+          if (d.upper_bound > 0) return {-d.upper_bound - options.margin, d.normal, d.point_a, d.point_b, d.edge_a, d.edge_b};
         }
         const detail::PosedPair pair(operands...);
         const auto [nearest, normal] = detail::nearestContact(pair, {options});
