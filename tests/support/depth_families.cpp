@@ -87,7 +87,7 @@ Case edgesUsedTwice(Random& random) {
     }
   };
   const Polygon a = any(), b = any();
-  const double x = random.integer(-4, 4) / 4.0, y = random.integer(-4, 4) / 4.0;
+  const double x = random.integer(-9, 9) / 4.0, y = random.integer(-9, 9) / 4.0;
   return framed(random, a, b, random.coin() ? pose(0, x, y) : pose(random.real(0, 6.3), x, y));
 }
 
@@ -118,6 +118,7 @@ Case besideComplements(Random& random) {
       return box(3, 2).complement();
     }
   };
+  if (random.oneIn(3)) return {random.coin() ? c.a : c.b, c.pose_a, box(9, 4).complement(), c.pose_b};
   return random.coin() ? Case{outside(c.a), c.pose_a, c.b, c.pose_b} : Case{c.a, c.pose_a, outside(c.b), c.pose_b};
 }
 
