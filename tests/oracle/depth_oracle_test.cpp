@@ -23,7 +23,7 @@
 namespace tricover::support {
 namespace {
 
-constexpr int kFamilyCases = 120;
+constexpr int kFamilyCases = 60;
 constexpr int kSmallCases = 500;
 constexpr int kLargeCases = 40;
 constexpr EdgeIndex kMostEdges = 60;  // for the oracle
@@ -193,6 +193,7 @@ TEST(DepthOracle, ExcessOfSmallPolygonsAgreesWithTheOracle) {
     std::string wrong = wrongExcess(c, found);
     if (wrong.empty()) wrong = wrongLargest(c, found.distance, exact::excess(c.a, c.pose_a, c.b, c.pose_b));
     if (wrong.empty()) wrong = wrongBesideOthers(random, c, found);
+    if (wrong.empty()) wrong = wrongCoversButFor(c, found);
     failures.add(wrong, i, c);
     sticking_out += found.distance > 0;
     covered += found.distance == 0;
@@ -250,6 +251,7 @@ TEST_P(DepthFamilies, KeepTheLaws) {
     if (wrong.empty()) wrong = wrongMargins(random, c);
     if (wrong.empty()) wrong = wrongExcess(c, out);
     if (wrong.empty()) wrong = wrongBesideOthers(random, c, out);
+    if (wrong.empty()) wrong = wrongCoversButFor(c, out);
     if (wrong.empty() && c.a.edgeCount() + c.b.edgeCount() <= kMostEdges) {
       wrong = wrongLargest(c, found.depth, exact::depth(c.a, c.pose_a, c.b, c.pose_b));
       if (wrong.empty()) wrong = wrongLargest(c, out.distance, exact::excess(c.a, c.pose_a, c.b, c.pose_b));

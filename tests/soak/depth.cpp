@@ -22,6 +22,7 @@ std::string wrongAnswers(Random& random, const Case& c, const Depth& deep) {
   const Excess out = excess(c.a, c.pose_a, c.b, c.pose_b);
   wrong = support::wrongExcess(c, out);
   if (wrong.empty() && random.oneIn(4)) wrong = support::wrongBesideOthers(random, c, out);
+  if (wrong.empty()) wrong = support::wrongCoversButFor(c, out);
   if (!wrong.empty() || c.a.edgeCount() + c.b.edgeCount() > kMostEdges || !random.oneIn(4)) return wrong;
   wrong = support::wrongLargest(c, deep.depth, exact::depth(c.a, c.pose_a, c.b, c.pose_b));
   return wrong.empty() ? support::wrongLargest(c, out.distance, exact::excess(c.a, c.pose_a, c.b, c.pose_b)) : wrong;

@@ -14,6 +14,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/collide.h"
+#include "tricover/covers.h"
 #include "tricover/penetration.h"
 #include "tricover/segment.h"
 #include "tricover/signed_distance.h"
@@ -177,6 +178,15 @@ std::string wrongBesideOthers(Random& random, const Case& c, const Excess& found
   const double first = excess(moved.a, moved.pose_a, c.a, c.pose_a).distance,
                whole = excess(moved.a, moved.pose_a, c.b, c.pose_b).distance;
   return whole <= first + found.distance + 2 * error ? "" : valued("no triangle inequality", whole, first);
+}
+
+std::string wrongCoversButFor(const Case& c, const Excess& found) {
+  const double e = found.distance;
+  for (const double most : {5e-324, 1e-300, e * (1 - 1e-9), nudged(e, -1), e, nudged(e, 1), e * (1 + 1e-9), 2 * e}) {
+    if (!(most > 0) || !std::isfinite(most)) continue;
+    if (covers(c.b, c.pose_b, c.a, c.pose_a, {-most}) != (e <= most)) return valued("covers but for", e, most);
+  }
+  return "";
 }
 
 std::string wrongMargins(Random& random, const Case& c) {

@@ -31,6 +31,9 @@ std::string wrongExcess(const Case& c, const Excess& found);
 /// The largest of all edges' is at most the part's; a way by way of a third region is no shorter; Hausdorff distances.
 std::string wrongBesideOthers(Random& random, const Case& c, const Excess& found);
 
+/// covers() with a margin of -e says whether excess() is at most e.
+std::string wrongCoversButFor(const Case& c, const Excess& found);
+
 /// collide() with any margin says whether signedDistance() is at most that, or below it where touching is allowed: so
 /// its answers are monotone in the margin.
 std::string wrongMargins(Random& random, const Case& c);
