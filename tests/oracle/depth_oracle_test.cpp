@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "depth_families.h"
 #include "depth_laws.h"
@@ -17,7 +19,9 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/covers.h"
 #include "tricover/depth.h"
+#include "tricover/scene.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -230,6 +234,34 @@ TEST(DepthOracle, LargerOutlinesAgreeWithTheOracle) {
   }
   std::printf("%d of %d overlap\n", overlapping, cases);
   EXPECT_EQ(failures.count(), 0);
+}
+
+/// The distance from a union is the least of the distances, and that from rings of the non-zero rule.
+TEST(DepthOracle, UnionsCoverAllButTheExcess) {
+  int gaps = 0;
+  const int cases = scaledCount(kSmallCases / 2);
+  for (int i = 0; i < cases; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    std::vector<Ring> rings;
+    Scene scene;
+    for (int n = random.integer(1, 4); n > 0; --n) {
+      const Vec2 center(random.real(-1, 1), random.real(-1, 1));
+      rings.push_back(random.coin() ? star(random, 6, 0.5, 1.5, center) : shifted(rectangle(-1, -0.5, 1, 0.5), center));
+      scene.add(Polygon({rings.back()}), kHere);
+    }
+    const Polygon area(rings, FillRule::NonZero), part({star(random, 5, 0.3, 1.2)});
+    const Pose at = pose(random.real(0, 6.3), random.real(-1, 1), random.real(-1, 1));
+    const auto truth = static_cast<double>(exact::excess(part, at, area, kHere).low);
+    EXPECT_NEAR(excess(part, at, area, kHere).distance, truth, 1e-14) << i;
+    EXPECT_EQ(scene.covers(part, at), truth == 0) << i;
+    if (truth == 0) continue;
+    ++gaps;
+    for (const double factor : {0.5, 1 - 1e-9, 1 + 1e-9, 2.0}) {
+      EXPECT_EQ(scene.covers(part, at, {-factor * truth}), factor > 1) << i << ", " << factor;
+      EXPECT_EQ(covers(area, kHere, part, at, {-factor * truth}), factor > 1) << i << ", " << factor;
+    }
+  }
+  std::printf("%d of %d have gaps\n", gaps, cases);
 }
 
 class DepthFamilies : public testing::TestWithParam<Family> {};
