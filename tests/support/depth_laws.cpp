@@ -101,6 +101,8 @@ std::string wrongDepth(const Case& c, const Depth& found) {
   if (found.depth == 0 || is_infinite) return isNone(found) ? "" : "points or edges where there are none";
   const double error = depthPrecision(c);
   if (!(found.upper_bound - found.depth <= error)) return valued("a budget ended", found.depth, found.upper_bound);
+  // Interiors that meet by less than rounding.
+  if (found.depth <= error && isNone(found)) return "";
   return wrongPoints(c, found, 2 * error);
 }
 
@@ -192,7 +194,7 @@ std::string wrongCoversButFor(const Case& c, const Excess& found) {
 std::string wrongMargins(Random& random, const Case& c) {
   const double s = signedDistance(c.a, c.pose_a, c.b, c.pose_b).distance, size = std::min(c.a.radius(), c.b.radius());
   const Depth deep = depth(c.a, c.pose_a, c.b, c.pose_b);
-  if (deep.depth > 0 ? s != -deep.depth : !(s >= 0)) return valued("signedDistance beside depth", s, deep.depth);
+  if (deep.depth > 0 ? s != -deep.upper_bound : !(s >= 0)) return valued("signedDistance beside depth", s, deep.depth);
   std::vector<double> margins{
       0, -5e-324, 5e-324, -1e-300, 1e-300, -1e-9 * size, -size, size, -1e300, size * random.real(-1, 1)};
   if (s < 0)

@@ -134,7 +134,7 @@ std::string wrongSignedDistance(const Case& c, double margin) {
   if (!(std::abs(s.normal.norm() - 1) <= 1e-12)) return "signed: no unit vector";
   const Depth d = depth(c.a, c.pose_a, c.b, c.pose_b);
   if (d.depth > 0) {
-    const DistanceResult deep{-d.depth - margin, d.point_a, d.point_b, d.edge_a, d.edge_b};
+    const DistanceResult deep{-d.upper_bound - margin, d.point_a, d.point_b, d.edge_a, d.edge_b};
     return same(found, deep) && s.normal == d.normal ? "" : "signed: depth";
   }
   const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b),

@@ -104,7 +104,7 @@ TEST(NegativeMargin, AgreesWithDepth) {
     const Polygon a = any(), b = any();
     const Pose pose_a = support::pose(random.real(0, 6), 0, 0),
                pose_b = support::pose(random.real(0, 6), random.real(-1.3, 1.3), random.real(-1.3, 1.3));
-    const double depth = tricover::depth(a, pose_a, b, pose_b).depth, overlap = random.real(0.01, 0.5);
+    const double depth = tricover::depth(a, pose_a, b, pose_b).upper_bound, overlap = random.real(0.01, 0.5);
     deep += depth >= overlap;
     EXPECT_EQ(deeper(overlap, a, pose_a, b, pose_b), depth >= overlap) << i;
     if (depth == 0) continue;
