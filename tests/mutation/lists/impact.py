@@ -46,7 +46,6 @@ MUTATIONS = [
     ("src/impact/motion.cpp", "length * length * (cubic.second + 3 * begin * cubic.third)", "length * length * cubic.second", "a part of a cubic motion"),
     ("src/impact/conflicts.cpp", ">= travel - margin_ ||", ">= -margin_ ||", "conflicts: a depth lasts for as long as one likes"),
     ("src/impact/deep_impact.cpp", "motion_b.start.translation() += shift;", "", "negative margin: b stays where it is"),
-    ("src/pair/allowed_overlap.cpp", "if (!way || !(way->depth < deepest.depth)) return found;", "return found;", "negative margin: a corner is as deep as its hull"),
     ("src/impact/conflicts.cpp", "(rates.speed + about(", "(0 * rates.speed + about(", "lasting contact: pivots stand still"),
     ("src/impact/conflicts.cpp", "about(rates.b, pair.b)) *", "0) *", "lasting contact: b doesn't rotate"),
     ("src/impact/conflicts.cpp", ": margin_ + precision_)", ": margin_)", "lasting contact: a rounding apart is apart"),
