@@ -33,6 +33,8 @@ constexpr std::size_t kMostSteps = std::size_t{1} << 17;
 
 /// Of an area near a cell: with more of them the cell is cut.
 constexpr std::size_t kMostEdges = 48;
+/// At the peak of a piece, then it is cut.
+constexpr int kMostLooks = 24;
 
 /// A part of the part: a chain of several edges, or a simplex (an edge, or a triangle of the plane).
 struct Piece {
@@ -45,15 +47,17 @@ struct Piece {
   std::size_t at = 0;               ///< the chain's point to look at next
   std::array<Vec2, 3> corner = {};  ///< a simplex'
   Vec2 place = Vec2::Zero();        ///< the place in it to look at next
-  std::array<std::size_t, 6> edges = {};  ///< of the area, some that are near
+  std::array<std::size_t, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
   std::size_t edge_count = 0;
+  int looks = 0;  ///< at its peak, since it was cut
 
+  /// Returns whether it is another one. If there are too many, the one that bounds least at the place goes.
   bool addEdge(std::size_t edge) {
-    if (std::find(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(edge_count), edge) !=
-        edges.begin() + static_cast<std::ptrdiff_t>(edge_count))
-      return false;
-    if (edge_count == edges.size()) std::move(edges.begin() + 1, edges.end(), edges.begin()), --edge_count;
-    edges[edge_count++] = edge;
+    for (std::size_t k = 0; k < edge_count; ++k)
+      if (edges[k] == edge) return false;
+    if (edge_count < edges.size()) ++edge_count;
+    for (std::size_t k = edge_count - 1; k > 0; --k) edges[k] = edges[k - 1];
+    edges[0] = edge;
     return true;
   }
 };
@@ -187,14 +191,20 @@ class DepthSearch {
   void bound(Piece& simplex) {
     const auto corners = static_cast<std::size_t>(simplex.corners);
     Peak peak(corners);
+    std::array<std::pair<OfCorners, std::size_t>, Peak::kMost> known;
     for (std::size_t k = 0; k < simplex.edge_count; ++k) {
       OfCorners distances{};
       for (std::size_t c = 0; c < corners; ++c) distances[c] = area_.distance(simplex.edges[k], simplex.corner[c]);
+      known[k] = {distances, simplex.edges[k]};
       peak.add(distances);
     }
     simplex.least = std::max(simplex.least, -peak.value);
     if (simplex.edge_count == 0) peak.place = {0.5, 0.5, 0};
+    // The last one is the first to be forgotten.
+    std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(simplex.edge_count),
+              [&](const auto& p, const auto& q) { return valueAt(p.first, peak.place) < valueAt(q.first, peak.place); });
     simplex.place = Vec2::Zero();
+    for (std::size_t k = 0; k < simplex.edge_count; ++k) simplex.edges[k] = known[k].second;
     for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
   }
 
@@ -202,12 +212,15 @@ class DepthSearch {
     const Vec2 place = edge.place;
     switch (look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]))) {
       case Look::InArea: return;
-      case Look::NewEdge: return pushSimplex(edge);
+      case Look::NewEdge:
+        if (++edge.looks < kMostLooks) return pushSimplex(edge);
+        break;
       case Look::NothingNew: break;
     }
     const Vec2 middle = cutOf(edge.corner[0], edge.corner[1], place);
     for (const auto& [v, w] : {std::pair(edge.corner[0], middle), std::pair(middle, edge.corner[1])}) {
       Piece half = edge;
+      half.looks = 0;
       half.corner[0] = v, half.corner[1] = w;
       pushSimplex(half);
     }
@@ -222,25 +235,39 @@ class DepthSearch {
 
   // Cells of the plane, where the part's interior may be.
 
-  /// The box around the overlap.
+  /// The box around the overlap, along the longest edge there.
   bool addInterior() {
     if (part_.polygon.isDegenerate()) return true;
+    Vec2 along = Vec2::UnitX();
+    double longest = 0;
+    for (const InnerArcs& arcs : overlap_.arcs)
+      for (const InnerArc& arc : arcs.arcs)
+        for (std::size_t i = arc.from; i < arc.to; ++i)
+          if (const Vec2 way = arcs.points[i + 1] - arcs.points[i]; way.norm() > longest)
+            longest = way.norm(), along = way / longest;
+    Eigen::Matrix2d axes;
+    axes << along.x(), -along.y(), along.y(), along.x();
     Eigen::AlignedBox2d box;
     for (const InnerArcs& arcs : overlap_.arcs)
-      for (const Vec2& point : arcs.points) box.extend(point);
+      for (const Vec2& point : arcs.points) box.extend(axes.transpose() * point);
     if (box.isEmpty() || !(box.sizes().minCoeff() > 0)) return true;
-    const Vec2 v = box.min(), w = box.max(), u(w.x(), v.y()), t(v.x(), w.y());
-    const Vec2 center = box.center();
+    const auto corner = [&](double x, double y) {
+      return Vec2(axes * (box.min() + Vec2(x * box.sizes().x(), y * box.sizes().y())));
+    };
+    const Vec2 v = corner(0, 0), u = corner(1, 0), w = corner(1, 1), t = corner(0, 1), center = corner(0.5, 0.5);
     const PosedSide::Near near = area_.nearest(center);
-    const double reach = (w - center).norm();
     double most = 0;
-    for (const Vec2& corner : {v, u, w, t}) most = std::max(most, area_.distance(near.edge, corner));
-    most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + reach);
-    if (most + search_.upper <= precision_ || (gather(center, reach + most) && leadsAway())) return true;
-    for (const Vec2& corner : {u, t}) {
+    for (const Vec2& p : {v, u, w, t}) most = std::max(most, area_.distance(near.edge, p));
+    most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
+    if (most + search_.upper <= precision_) return true;
+    const bool is_wide = box.sizes().x() > box.sizes().y();
+    const bool are_all = gather(is_wide ? corner(0, 0.5) : corner(0.5, 0), is_wide ? corner(1, 0.5) : corner(0.5, 1),
+                                0.5 * box.sizes().minCoeff() + most);
+    if (are_all && leadsAway()) return true;
+    for (const Vec2& p : {u, t}) {
       Piece cell{-most, 3};
-      cell.corner = {v, w, corner};
-      cell.place = (v + w + corner) / 3;
+      cell.corner = {v, w, p};
+      cell.place = (v + w + p) / 3;
       search_.push(cell);
     }
     return true;
@@ -274,23 +301,33 @@ class DepthSearch {
     const bool is_new = cell.addEdge(near.edge);
     bound(cell);
     if (-cell.least + search_.upper <= precision_) return;
-    if (is_new) return search_.push(cell);  // to look at the new peak
+    if (is_new && ++cell.looks < kMostLooks) return search_.push(cell);  // to look at the new peak
     if (!is_in_part && part_.nearest(place).distance > reach) return;
-    const bool are_all = gather(place, reach - cell.least);
+    const Vec2& apex = cell.corner[(longestSideOf(cell) + 2) % 3];
+    const Ends side{cell.corner[longestSideOf(cell)], cell.corner[(longestSideOf(cell) + 1) % 3]};
+    const bool are_all = gather(side.v, side.w, (nearestOnSegment(apex, side.v, side.w) - apex).norm() - cell.least);
     if (are_all && leadsAway()) return;
     const std::size_t* const crossing = are_all ? edgeAcross(cell) : nullptr;
     if (are_all && crossing == nullptr && (!is_outside || leadsAwayFrom(cell))) return;
     cut(cell, crossing);
   }
 
-  /// Finds the edges within reach of a place. False if there are too many.
-  bool gather(const Vec2& place, double reach) {
+  /// Finds the edges within reach of a segment. False if there are too many.
+  bool gather(const Vec2& from, const Vec2& to, double reach) {
     edges_.clear();
-    area_.forEachNear(place, reach, [&](std::size_t edge) {
+    area_.forEachNear(from, to, reach, [&](std::size_t edge) {
       edges_.push_back(edge);
       return edges_.size() < kMostEdges;
     });
     return edges_.size() < kMostEdges;
+  }
+
+  static std::size_t longestSideOf(const Piece& cell) {
+    std::size_t longest = 0;
+    double length = -1;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length) length = side, longest = c;
+    return longest;
   }
 
   /// The same by the directions from the nearest points of edges that don't lead through the cell.
@@ -338,11 +375,8 @@ class DepthSearch {
 
   /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
   void cut(const Piece& cell, const std::size_t* edge) {
-    std::size_t longest = 0;
-    double length = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length) length = side, longest = c;
-    if (!(length > 8 * frame_.error())) return;
+    const std::size_t longest = longestSideOf(cell);
+    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 8 * frame_.error())) return;
     Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3], along = cell.corner[(longest + 2) % 3] - v;
     if (edge != nullptr) v = area_.vertex(*edge), along = area_.vertex(*edge + 1) - v;
     std::array<double, 3> beside;
@@ -367,6 +401,7 @@ class DepthSearch {
     for (std::size_t i = 2; i < count; ++i) {
       Piece half = cell;
       half.corner = {kept[0], kept[i - 1], kept[i]};
+      half.looks = 0;
       half.place = (kept[0] + kept[i - 1] + kept[i]) / 3;
       search_.push(half);
     }

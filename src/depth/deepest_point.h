@@ -25,7 +25,7 @@ struct Overlap {
   Overlap& operator=(const Overlap&) = delete;
 
   /// What bounds may be apart by, in the frame.
-  double precision() const { return 0x1p-48 * frame.size(); }
+  double precision() const { return 0x1p-50 * frame.size(); }
 
   const std::function<bool(const Vec2&)> excludes;
   const bool is_outside;

@@ -107,15 +107,18 @@ Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, c
   }
   const detail::Overlap overlap(of_part, pose_part, {of_area, pose_area});
   const detail::DeepestPoint found = detail::findDeepestPoint(overlap, false, 0, detail::kInfinity);
-  return {found.distance,
+  // Not covered, though rounding may hide it.
+  const double least = std::numeric_limits<double>::min();
+  return {std::max(found.distance, least),
           found.point,
           found.nearest,
           detail::nameOf(of_part, found.edge),
           detail::nameOf(of_area, found.nearest_edge),
-          found.upper_bound};
+          std::max(found.upper_bound, least)};
 }
 
 double hausdorffDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  detail::requireRigid(pose_a, pose_b);
   return std::max(excess(a, pose_a, b, pose_b).distance, excess(b, pose_b, a, pose_a).distance);
 }
 

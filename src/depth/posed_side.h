@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -48,16 +49,16 @@ class PosedSide {
     if (count == 0)
       forEachEdge(polygon, offer);
     else if (defect_ > 64 * kUnitRoundoff)
-      forEachNear(p, best.distance, offer);
+      forEachNear(p, p, best.distance, offer);
     return best;
   }
 
-  /// Calls visit(edge) until it returns false, for every edge that may be within `reach` of a point.
+  /// Calls visit(edge) until it returns false, for every edge that may be within `reach` of a segment.
   template <typename Visit>
-  void forEachNear(const Vec2& p, double reach, Visit visit) const {
-    const Place at = placeOf(p);
-    forEachEdgeNear(polygon, {at.x, at.y}, {at.x, at.y},
-                    reach * scale_ * (1 + 2 * defect_) * (1 + 0x1p-40) + 2 * at.error, visit);
+  void forEachNear(const Vec2& p, const Vec2& q, double reach, Visit visit) const {
+    const Place from = placeOf(p), to = placeOf(q);
+    forEachEdgeNear(polygon, {from.x, from.y}, {to.x, to.y},
+                    reach * scale_ * (1 + 2 * defect_) * (1 + 0x1p-40) + 2 * std::max(from.error, to.error), visit);
   }
 
   const PolygonData& polygon;

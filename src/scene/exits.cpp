@@ -21,7 +21,7 @@ std::optional<Impact> firstExitOn(const std::vector<Leg>& legs, const Polygon& p
   for (const Leg& leg : legs) {
     std::vector<StillArea> areas;
     state.tree.visit(SweptLeg(polygon, leg, std::abs(options.margin)).between(0, 1), [&](Slot slot) {
-      const BodyState& body = state.bodies[slot];
+      const auto& body = state.bodies[slot];
       if (!state.passes(selected, slot)) return true;
       if (body.options.margin != 0)
         refuse("body " + std::to_string(slot), "it has a margin, which firstExit() can't inflate exactly",
