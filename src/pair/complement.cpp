@@ -80,7 +80,10 @@ struct BorderPieces {
     std::vector<bool> borders;
     if (polygon.fill.rule == FillRule::NonZero) borders = bordersOf(polygon, pieces);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      if (pieces[k].v == pieces[k].w) continue;
+      if (pieces[k].v == pieces[k].w) {
+        are_given = are_given && !beginsPoint(polygon, pieces[k].edge);
+        continue;
+      }
       int& count = counts[pieces[k].key()];
       const bool stays = borders.empty() ? count % 2 != 0 : count > 0 && borders[k];
       if (stays) all.push_back(pieces[k]);

@@ -60,6 +60,7 @@ Polygon anyArea(Random& random) {
           if (random.coin()) v = Vec2(std::round(v.x()), std::round(v.y()));
     }
     if (random.oneIn(4)) rings.back() = withRepeatedAndMidpoints(random, rings.back());
+    if (random.oneIn(8)) rings.emplace_back(3, at + Vec2(1, random.integer(0, 4) / 2.0));
   }
   return Polygon(redirected(random, rings), random.oneIn(4) ? FillRule::NonZero : FillRule::EvenOdd);
 }
