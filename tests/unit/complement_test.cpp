@@ -84,9 +84,7 @@ TEST(Complement, HasNoPointRings) {
     for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(3, 0)}) {
       const Polygon outside = Polygon({square, Ring(3, p)}, rule).complement();
       const bool is_beyond = p.x() > 1, is_within = p.x() < 1;
-      EXPECT_EQ(locate(outside, p), is_within   ? Location::Outside
-                                    : is_beyond ? Location::Inside
-                                                : Location::Boundary);
+      EXPECT_EQ(locate(outside, p), is_within ? Location::Outside : is_beyond ? Location::Inside : Location::Boundary);
       EXPECT_EQ(collide(outside, kHere, point(p), kHere), !is_within);
       EXPECT_EQ(outside.rings().size(), 1u);
       EXPECT_EQ(distance(outside, kHere, point({0, 0}), kHere).distance, 1);
