@@ -27,10 +27,7 @@ struct CoverOptions {
 ///
 /// The time is O((n + k) log n) for n edges near the part and k pairs of them that meet.
 ///
-/// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is not finite;
-/// and if an edge of the area nearer to the part than the margin is a boundary of the area only in places (where rings
-/// overlap under FillRule::NonZero) and rounding hides whether those are nearer, too, as it does for coordinates beyond
-/// 2^400 or below 2^-400.
+/// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is not finite.
 ///
 /// \snippet covers.cpp covers
 TRICOVER_EXPORT bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, const Pose& pose_part,

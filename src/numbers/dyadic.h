@@ -5,19 +5,20 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace tricover::detail {
 
 /// An exact number m * 2^k: sums, differences and products of doubles without rounding, overflow or underflow.
 ///
-/// Sign and magnitude; limb i weighs 2^(64 (low + i)), so that operands are aligned by index alone. Capacity, for the
-/// largest use (a squared distance against a squared margin): a posed coordinate R p + t is a multiple of 2^-2148 and
-/// below 2^1026, a difference of two takes at most 51 limbs, a product of differences 103, the square of that 206.
-class Dyadic {
+/// Sign and magnitude; limb i weighs 2^(64 (low + i)), so that operands are aligned by index alone. `Limbs` holds them.
+template <class Limbs>
+class DyadicIn {
  public:
-  Dyadic() = default;
+  using Dyadic = DyadicIn;
+  DyadicIn() = default;
 
-  explicit Dyadic(double x) {
+  explicit DyadicIn(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
@@ -34,7 +35,7 @@ class Dyadic {
     trim();
   }
 
-  Dyadic(const Dyadic& other) { *this = other; }
+  DyadicIn(const Dyadic& other) { *this = other; }
   Dyadic& operator=(const Dyadic& other) {
     if (this == &other) return *this;
     sign_ = other.sign_;
@@ -92,7 +93,6 @@ class Dyadic {
  private:
   __extension__ using Wide = unsigned __int128;
   static constexpr int kBias = 64;
-  static constexpr int kCapacity = 216;
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -152,7 +152,23 @@ class Dyadic {
   }
 
   int sign_ = 0, low_ = 0, size_ = 0;
-  std::array<std::uint64_t, kCapacity> limbs_;
+  Limbs limbs_;
 };
+
+/// Capacity, for the largest use (a squared distance against a squared margin): a posed coordinate R p + t is a
+/// multiple of 2^-2148 and below 2^1026, a difference of two takes at most 51 limbs, a product of differences 103, the
+/// square of that 206.
+using Dyadic = DyadicIn<std::array<std::uint64_t, 216>>;
+
+/// Outside of the stack. Capacity, for the squared distance from where two lines meet: the two products of differences
+/// that a fraction consists of, times a product of differences, 206 limbs, squared.
+struct HeapLimbs {
+  std::uint64_t& operator[](std::size_t i) { return all[i]; }
+  std::uint64_t operator[](std::size_t i) const { return all[i]; }
+  auto begin() { return all.begin(); }
+  auto begin() const { return all.begin(); }
+  std::vector<std::uint64_t> all = std::vector<std::uint64_t>(416);
+};
+using LongDyadic = DyadicIn<HeapLimbs>;
 
 }  // namespace tricover::detail

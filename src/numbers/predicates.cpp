@@ -27,52 +27,68 @@ struct Number {
   friend Number operator-(Number p, Number q) { return Number(p.value - q.value); }
   friend Number operator*(Number p, Number q) { return Number(p.value * q.value); }
 };
+using LongNumber = Number;
 #else
 using Number = Dyadic;
+using LongNumber = LongDyadic;
 #endif
 
-struct ExactVector {
-  Number x, y;
+template <class Real>
+struct ExactVectorOf {
+  Real x, y;
 };
+using ExactVector = ExactVectorOf<Number>;
 
-Number coordinate(const PosedPoint& p, int axis) {
-  if (p.pose == nullptr) return Number(p.local[axis]);
+template <class Real = Number>
+Real coordinate(const PosedPoint& p, int axis) {
+  if (p.pose == nullptr) return Real(p.local[axis]);
   const auto& m = p.pose->matrix();
-  return Number(m(axis, 0)) * Number(p.local.x()) + Number(m(axis, 1)) * Number(p.local.y()) + Number(m(axis, 2));
+  return Real(m(axis, 0)) * Real(p.local.x()) + Real(m(axis, 1)) * Real(p.local.y()) + Real(m(axis, 2));
 }
 
-ExactVector difference(const PosedPoint& p, const PosedPoint& q) {
-  return {coordinate(p, 0) - coordinate(q, 0), coordinate(p, 1) - coordinate(q, 1)};
+template <class Real = Number>
+ExactVectorOf<Real> difference(const PosedPoint& p, const PosedPoint& q) {
+  return {coordinate<Real>(p, 0) - coordinate<Real>(q, 0), coordinate<Real>(p, 1) - coordinate<Real>(q, 1)};
 }
 
-Number cross(const ExactVector& u, const ExactVector& w) { return u.x * w.y - u.y * w.x; }
-Number dot(const ExactVector& u, const ExactVector& w) { return u.x * w.x + u.y * w.y; }
+template <class Real>
+Real cross(const ExactVectorOf<Real>& u, const ExactVectorOf<Real>& w) {
+  return u.x * w.y - u.y * w.x;
+}
+template <class Real>
+Real dot(const ExactVectorOf<Real>& u, const ExactVectorOf<Real>& w) {
+  return u.x * w.x + u.y * w.y;
+}
 
 /// A fraction of a ray; the denominator is positive.
+template <class Real>
 struct Ratio {
-  Number numerator, denominator;
+  Real numerator, denominator;
 };
 
-Ratio positive(const Number& numerator, const Number& denominator) {
-  const Number sign(denominator.sign());
+template <class Real>
+Ratio<Real> positive(const Real& numerator, const Real& denominator) {
+  const Real sign(denominator.sign());
   return {numerator * sign, denominator * sign};
 }
 
-int compare(const Ratio& p, const Ratio& q) {
+template <class Real>
+int compare(const Ratio<Real>& p, const Ratio<Real>& q) {
   return (p.numerator * q.denominator - q.numerator * p.denominator).sign();
 }
 
 /// With d along the ray and u along the edge, from + s d is on the edge's line where s |d u| = |(v - from) u|. On one
 /// line the edge's nearer end is met first.
-Ratio fractionOf(const PosedSegment& ray, const PosedSegment& edge) {
-  const ExactVector d = difference(ray[1], ray[0]), u = difference(edge[1], edge[0]);
-  const ExactVector to_start = difference(edge[0], ray[0]);
-  const Number slant = cross(d, u);
+template <class Real = Number>
+Ratio<Real> fractionOf(const PosedSegment& ray, const PosedSegment& edge) {
+  const ExactVectorOf<Real> d = difference<Real>(ray[1], ray[0]), u = difference<Real>(edge[1], edge[0]);
+  const ExactVectorOf<Real> to_start = difference<Real>(edge[0], ray[0]);
+  const Real slant = cross(d, u);
   if (slant.sign() != 0) return positive(cross(to_start, u), slant);
-  const ExactVector to_end = difference(edge[1], ray[0]);
+  const ExactVectorOf<Real> to_end = difference<Real>(edge[1], ray[0]);
   const bool along_x = d.x.sign() != 0;
-  const Ratio start = positive(along_x ? to_start.x : to_start.y, along_x ? d.x : d.y);
-  const Ratio end = positive(along_x ? to_end.x : to_end.y, along_x ? d.x : d.y);
+  const Ratio<Real> start = positive(along_x ? to_start.x : to_start.y, along_x ? d.x : d.y);
+  const Ratio<Real> end = positive(along_x ? to_end.x : to_end.y, along_x ? d.x : d.y);
   return compare(start, end) <= 0 ? start : end;
 }
 
@@ -178,7 +194,7 @@ ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const Pose
 static_assert(kExactFractionError >= errorOf(2 + 2 + 1));
 double fractionExact(const PosedSegment& ray, const PosedSegment& edge) {
   countExactCall();
-  const Ratio ratio = fractionOf(ray, edge);
+  const Ratio<Number> ratio = fractionOf(ray, edge);
   if (ratio.numerator.sign() == 0) return 0;
   const Dyadic::Scaled part = ratio.numerator.scaled(), whole = ratio.denominator.scaled();
   return std::ldexp(part.mantissa / whole.mantissa, part.exponent - whole.exponent);
@@ -187,6 +203,30 @@ double fractionExact(const PosedSegment& ray, const PosedSegment& edge) {
 int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second) {
   countExactCall();
   return compare(fractionOf(ray, first), fractionOf(ray, second));
+}
+
+int compareFootExact(const PosedPoint& p, const PosedSegment& ray, const PosedSegment& edge) {
+  countExactCall();
+  const ExactVector d = difference(ray[1], ray[0]);
+  return compare({dot(difference(p, ray[0]), d), dot(d, d)}, fractionOf(ray, edge));
+}
+
+/// All lengths times the fraction's denominator.
+bool meetingWithinExact(const PosedSegment& ray, const PosedSegment& edge, const PosedSegment& other, double length) {
+  countExactCall();
+  using Vector = ExactVectorOf<LongNumber>;
+  const Ratio<LongNumber> at = fractionOf<LongNumber>(ray, edge);
+  const Vector d = difference<LongNumber>(ray[1], ray[0]), u = difference<LongNumber>(other[1], other[0]);
+  const LongNumber reach = LongNumber(length) * at.denominator, square = reach * reach;
+  const auto from = [&](const PosedPoint& p) -> Vector {
+    const Vector way = difference<LongNumber>(ray[0], p);
+    return {way.x * at.denominator + d.x * at.numerator, way.y * at.denominator + d.y * at.numerator};
+  };
+  const Vector from_v = from(other[0]), from_w = from(other[1]);
+  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() < 0;
+  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() < 0;
+  const LongNumber area = cross(u, from_v);
+  return (area * area - square * dot(u, u)).sign() < 0;
 }
 
 #ifdef TRICOVER_TEST_SWITCHES

@@ -115,6 +115,12 @@ double fractionExact(const PosedSegment& ray, const PosedSegment& edge);
 /// The sign of one such fraction minus another edge's.
 int compareFractionsExact(const PosedSegment& ray, const PosedSegment& first, const PosedSegment& second);
 
+/// The sign of the fraction at the foot of p on the ray's line, minus that where the ray meets an edge.
+int compareFootExact(const PosedPoint& p, const PosedSegment& ray, const PosedSegment& edge);
+
+/// Whether the place where a ray meets an edge is nearer than `length` to the closed segment `other`.
+bool meetingWithinExact(const PosedSegment& ray, const PosedSegment& edge, const PosedSegment& other, double length);
+
 #ifdef TRICOVER_TEST_SWITCHES
 /// How often this thread has called an exact predicate: tells tests the filter's share.
 std::uint64_t exactCalls();

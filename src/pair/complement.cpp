@@ -115,7 +115,10 @@ struct BorderPieces {
     std::map<std::array<OrderedPoint, 2>, int> counts;
     for (const Piece& piece : pieces) ++counts[piece.key()];
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      if (pieces[k].v == pieces[k].w) continue;
+      if (pieces[k].v == pieces[k].w) {
+        are_given = are_given && !beginsPoint(polygon, pieces[k].edge);
+        continue;
+      }
       int& count = counts[pieces[k].key()];
       const bool stays = borders.empty() ? count % 2 != 0 : count > 0 && borders[k];
       if (stays) all.push_back(pieces[k]);

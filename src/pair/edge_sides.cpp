@@ -6,9 +6,7 @@
 #include <limits>
 
 #include "hierarchy/simd.h"
-#include "numbers/errors.h"
 #include "numbers/segment.h"
-#include "pair/four_ends.h"
 #include "pair/root_box.h"
 #include "polygon/covering.h"
 
@@ -228,8 +226,7 @@ void EdgeSides::pass(Way& way, const SeenPoint& end, int side, int turn) {
 bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
   if (p.high < q.low) return true;
   if (q.high < p.low) return false;
-  const PosedSegment edge{&regions_.pose(operand_), &regions_.polygon(operand_).path[edge_]};
-  return compareFractionsExact(edge, p.edge(), q.edge()) < 0;
+  return compareFractionsExact(edgeOf(operand_, edge_), p.edge(), q.edge()) < 0;
 }
 
 EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
@@ -284,55 +281,30 @@ bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
 /// The edge as a whole is nearer. Points err by 5U of the pair's size, with which they are mapped; places between them,
 /// and the nearest ones, by few U of it more.
 ///
-/// Where that hides whether the distance is less than the margin, exact distances tell: of the ends of the edge from
-/// all of this one, where their feet are certainly on the piece, or beside it; of the piece's ends from the edge. An
-/// end at a cut is no nearer than the other edge there.
+/// Where that hides whether the distance is less than the margin, exact numbers tell: of the ends of the edge whose
+/// feet are on the piece, and of the piece's ends.
 bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) const {
   if (cuts_.size() == 2) return true;
   const Cut &begin = cuts_[piece], &end = cuts_[piece + 1];
   const SeenPoint p = regions_.at(A, edge), q = regions_.at(A, edge + 1);
-  const auto isNear = [&](const SeenPoint& r, const SeenPoint& v, const SeenPoint& w) {
-    return withinExact(r.exact, v.exact, w.exact, margin, true);
-  };
   const Vec2 v(v_.approx.x, v_.approx.y), along(w_.approx.x - v.x(), w_.approx.y - v.y());
-  const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
-  const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
   const auto distanceOf = [&](double from, double to) {
-    const NearestPlaces nearest =
-        nearestPlaces(other, {v + std::max(from, 0.0) * along, v + std::min(to, 1.0) * along});
-    return (nearest.on_b - nearest.on_a).norm();
+    const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
+    return nearestPlaces(other, {v + std::max(from, 0.0) * along, v + std::min(to, 1.0) * along}).way().norm();
   };
-  const auto refuseIf = [&](bool is_hidden) {
-    if (is_hidden)
-      refuse("margin", "rounding hides whether a boundary is nearer where edges of the areas cross",
-             "change it by 1e-12 of the coordinates");
+  const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
+  if (size > 0x1p-400 && size < 0x1p400) {  // squares don't leave the range of doubles
+    if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
+    if (distanceOf(begin.low, end.high) - error > margin) return false;
+  }
+  const PosedSegment own = edgeOf(operand_, edge_), other = edgeOf(A, edge);
+  const auto isNear = [&](const PosedPoint& end_of_other) {
+    return compareFootExact(end_of_other, own, begin.edge()) >= 0 &&
+           compareFootExact(end_of_other, own, end.edge()) <= 0 &&
+           withinExact(end_of_other, own[0], own[1], margin, true);
   };
-  if (!(size > 0x1p-400 && size < 0x1p400))  // squares leave the range of doubles
-    refuse("margin", "where edges of the areas cross, coordinates must be from 2^-400 to 2^400", "scale all of them");
-  if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
-  if (distanceOf(begin.low, end.high) - error > margin) return false;
-  const double room = 0x1p-40 * (1 + size / along.norm());
-  for (const SeenPoint* at : {&p, &q}) {
-    if (!isNear(*at, v_, w_)) continue;
-    const double foot = (Vec2(at->approx.x, at->approx.y) - v).dot(along) / along.squaredNorm();
-    if (foot < begin.low - room || foot > end.high + room) continue;
-    refuseIf(foot < begin.high + room || foot > end.low - room);
-    return true;
-  }
-  for (const Cut* cut : {&begin, &end}) {
-    const PosedSegment there = cut->edge();
-    if (cut->operand == A) return true;
-    const SeenPoint r{regions_.approx(cut->operand, there.ends[0]), there[0]};
-    const SeenPoint s{regions_.approx(cut->operand, there.ends[1]), there[1]};
-    if (cut->on_left != cut->on_right) {
-      if (isNear(sign(v_, w_, r) == 0 ? r : s, p, q)) return true;
-      continue;
-    }
-    const FourEnds ends{
-        {p.approx, q.approx, r.approx, s.approx}, {p.exact.pose, &regions_.polygon(A).path[edge]}, there};
-    refuseIf(ends.meet() || isNear(p, r, s) || isNear(q, r, s) || isNear(r, p, q) || isNear(s, p, q));
-  }
-  return false;
+  return isNear(other[0]) || isNear(other[1]) || meetingWithinExact(own, begin.edge(), other, margin) ||
+         meetingWithinExact(own, end.edge(), other, margin);
 }
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.

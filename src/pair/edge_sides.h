@@ -76,7 +76,7 @@ class EdgeSides {
   bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
   /// Whether some piece of an area's edge, beside which no area has its inside on one side at least, is nearer than a
   /// margin to an edge of the first region, as the edge as a whole is. For regions of which what others don't hold is
-  /// sought. Throws std::invalid_argument where rounding hides that.
+  /// sought. Exact.
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }
@@ -136,6 +136,9 @@ class EdgeSides {
   bool isBefore(const Cut& p, const Cut& q) const;
   bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
   Sides insides(std::size_t operand) const;
+  PosedSegment edgeOf(std::size_t operand, std::size_t edge) const {
+    return {&regions_.pose(operand), &regions_.polygon(operand).path[edge]};
+  }
   bool isWithin(std::size_t piece, std::size_t edge, double margin) const;
   void look(std::size_t piece);
 

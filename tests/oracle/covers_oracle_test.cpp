@@ -34,13 +34,12 @@ TEST_P(CoversOracle, AgreesWithExactRationals) {
           << GetParam().name << " seed " << i << ", margin " << margin << "\n"
           << reproduction(sheet);
   }
-  std::printf("%-8s %5d cases %5d covered %5d by several %5d with a margin %5d not %4d refused\n", GetParam().name,
-              cases, plain.covered, plain.unions, wide.covered, wide.not_covered, wide.refused);
+  std::printf("%-8s %5d cases %5d covered %5d by several %5d with a margin %5d not\n", GetParam().name, cases,
+              plain.covered, plain.unions, wide.covered, wide.not_covered);
   if (cases < 100) return;
   EXPECT_GE(plain.covered, kRareKind * cases);
   EXPECT_GE(plain.not_covered, kRareKind * cases);
   EXPECT_GT(plain.unions, cases / 200);
-  EXPECT_LE(wide.refused, (wide.covered + wide.not_covered) / 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CoversOracle, testing::ValuesIn(sheetKinds()),

@@ -2,7 +2,6 @@
 #include "covers_laws.h"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "exact_covers.h"
@@ -130,17 +129,6 @@ Sheet placed(Random& random) {
   return sheet;
 }
 
-/// Nothing where the margin is refused.
-template <typename Ask>
-std::optional<bool> answerOf(double margin, const Ask& ask) {
-  if (margin == 0) return ask(CoverOptions{});
-  try {
-    return ask(CoverOptions{margin});
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 const std::vector<SheetKind>& sheetKinds() {
@@ -154,18 +142,12 @@ std::string wrongCovers(const Sheet& sheet, double margin, CoversCounts& counts)
   scene.add(sheet.areas);
   const bool truth = exact::covers(sheet.areas, sheet.part, sheet.pose, margin);
   (truth ? counts.covered : counts.not_covered) += 1;
-  const auto together =
-      answerOf(margin, [&](const CoverOptions& options) { return scene.covers(sheet.part, sheet.pose, options); });
-  counts.refused += !together;
-  if (together && *together != truth) return "Scene::covers";
+  if (scene.covers(sheet.part, sheet.pose, {margin}) != truth) return "Scene::covers";
   bool by_one = false;
   for (const BodyPlacement& body : sheet.areas) {
     const bool by_this = sheet.areas.size() == 1 ? truth : exact::covers({body}, sheet.part, sheet.pose, margin);
     by_one |= by_this;
-    const auto alone = answerOf(margin, [&](const CoverOptions& options) {
-      return covers(body.polygon, body.pose, sheet.part, sheet.pose, options);
-    });
-    if (alone && *alone != by_this) return "covers";
+    if (covers(body.polygon, body.pose, sheet.part, sheet.pose, {margin}) != by_this) return "covers";
   }
   counts.unions += truth && !by_one;
   return {};

@@ -26,12 +26,10 @@ const std::vector<SheetKind>& sheetKinds();
 
 struct CoversCounts {
   int covered = 0, not_covered = 0;
-  int unions = 0;   ///< covered by several together, and by none alone
-  int refused = 0;  ///< margins
+  int unions = 0;  ///< covered by several together, and by none alone
 };
 
-/// The first answer of covers() or Scene::covers() that is not the one of exact rationals; empty if there is none. A
-/// positive margin may be refused.
+/// The first answer of covers() or Scene::covers() that is not the one of exact rationals; empty if there is none.
 std::string wrongCovers(const Sheet& sheet, double margin, CoversCounts& counts);
 
 /// A case an area.

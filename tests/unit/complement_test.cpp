@@ -77,6 +77,28 @@ TEST(Complement, HasNoSeams) {
   EXPECT_EQ(Polygon({square, square, square}).complement().vertexCount(), 4u);
 }
 
+/// A ring of one point is no border, wherever it is.
+TEST(Complement, HasNoPointRings) {
+  const Ring square = rectangle(-1, -1, 1, 1), hole = rectangle(-0.5, -0.5, 0.5, 0.5);
+  for (const FillRule rule : {FillRule::EvenOdd, FillRule::NonZero})
+    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(3, 0)}) {
+      const Polygon outside = Polygon({square, Ring(3, p)}, rule).complement();
+      const bool is_beyond = p.x() > 1, is_within = p.x() < 1;
+      EXPECT_EQ(locate(outside, p), is_within ? Location::Outside : is_beyond ? Location::Inside : Location::Boundary);
+      EXPECT_EQ(collide(outside, kHere, point(p), kHere), !is_within);
+      EXPECT_EQ(outside.rings().size(), 1u);
+      EXPECT_EQ(distance(outside, kHere, point({0, 0}), kHere).distance, 1);
+      EXPECT_EQ(outside.complement().area(), 4);
+    }
+  const Polygon frame = Polygon({square, hole, Ring(4, {0, 0}), Ring(3, {0.75, 0})}).complement();
+  EXPECT_EQ(locate(frame, {0, 0}), Location::Inside);
+  EXPECT_EQ(locate(frame, {0.75, 0}), Location::Outside);
+  EXPECT_EQ(frame.vertexCount(), 8u);
+  // Vertices that are repeated in a ring stay.
+  const Ring repeated = {{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}};
+  EXPECT_EQ(Polygon({repeated}).complement().rings(), Polygon({repeated}).rings());
+}
+
 TEST(Complement, LeavesOutWhatTheNonZeroRuleHasInside) {
   const Polygon nested =
       Polygon({rectangle(0, 0, 4, 4), rectangle(1, 1, 2, 2), reversed(rectangle(2, 2, 3, 3))}, FillRule::NonZero)

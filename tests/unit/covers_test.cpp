@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "refusal.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
 
@@ -142,18 +141,42 @@ TEST(Covers, RefusesWhatItCannotTell) {
   const BodyHandle body = scene.add(area, kHere, wide);
   EXPECT_THROW(scene.covers(area, kHere), std::invalid_argument);
   EXPECT_FALSE(scene.covers(area, kHere, {}, BodyFilter::allBut(body)));
-  const double huge = 0x1p500;
-  const Polygon left({rectangle(0, 0, 2 * huge, 4 * huge)}), right({rectangle(huge, 0, 4 * huge, 3 * huge)});
-  const Polygon within({rectangle(huge / 2, huge, 3 * huge, 2 * huge)});
-  EXPECT_TRUE(together({left, right}, within, 0));
-  EXPECT_EQ(refusal([&] {
-              together({left, right}, within, huge);
-            }),
-            "tricover: margin: where edges of the areas cross, coordinates must be from 2^-400 to 2^400; "
-            "scale all of them");
   Pose far = kHere;
   far.translation().x() = 100;
   EXPECT_FALSE(scene.covers(area, far));
+}
+
+/// A border ends where edges cross: its distance is compared exactly, whatever the size.
+TEST(Covers, BordersThatEndAtCrossings) {
+  for (const double size : {1.0, 3.0, 0x1p-990, 0x1p990, 0x1.9p-400, 0x1.9p400}) {
+    const auto bar = [&](double x, double y) { return rectangle(-x * size, -y * size, x * size, y * size); };
+    const double five = 5 * size, above = std::nextafter(five, 6 * size);
+    const Polygon cross({bar(3, 12), bar(12, 4)}, FillRule::NonZero);  // its corners are at (3, 4)
+    EXPECT_TRUE(covers(cross, point({0, 0}), five)) << size;
+    EXPECT_FALSE(covers(cross, point({0, 0}), above)) << size;
+    EXPECT_TRUE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, point({0, 0}), five)) << size;
+    EXPECT_FALSE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, point({0, 0}), above)) << size;
+    // Beside a piece; and a piece's end beside an edge's end, and beside the edge.
+    const double four = 4 * size, root = std::sqrt(20.0) * size;
+    const Polygon flat({{{-size, 0}, {size, 0}, {0, size / 8}}}), beam = segment({-7 * size, 0}, {7 * size, 0});
+    EXPECT_TRUE(covers(cross, point({7 * size, 0}), four)) << size;
+    EXPECT_FALSE(covers(cross, point({7 * size, 0}), std::nextafter(four, five))) << size;
+    EXPECT_TRUE(covers(cross, flat, root * (1 - 1e-15))) << size;
+    EXPECT_FALSE(covers(cross, flat, root * (1 + 1e-15))) << size;
+    EXPECT_TRUE(covers(cross, beam, four)) << size;
+    EXPECT_FALSE(covers(cross, beam, std::nextafter(four, five))) << size;
+  }
+  // Coordinates of all sizes at once: edges that cross are 2^1900 times as long as the distance.
+  const double tiny = 0x1p-1000, huge = 0x1p900;
+  const Polygon uneven({rectangle(-huge, -huge, tiny, huge), rectangle(-huge, -huge, huge, tiny)}, FillRule::NonZero);
+  EXPECT_TRUE(covers(uneven, point({-3 * tiny, -4 * tiny}), 4 * tiny));
+  EXPECT_TRUE(covers(uneven, point({-2 * tiny, -3 * tiny}), 5 * tiny));
+  EXPECT_FALSE(covers(uneven, point({-2 * tiny, -3 * tiny}), std::nextafter(5 * tiny, 1)));
+}
+
+/// A plain answer was hidden by an edge that ends at a crossing as far away as the margin.
+TEST(Covers, VerticesThatAreBoundary) {
+  EXPECT_FALSE(covers(Polygon({{{1, 1}, {0, -3}, {0, 2}, {1, 0}, {-1, 2}}}), point({0, 2}), 1));
 }
 
 TEST(Covers, RingsThatOverlapAreOneArea) {

@@ -207,6 +207,46 @@ TEST(WithinExact, DecidesEqualityAndItsNeighbours) {
   EXPECT_FALSE(withinExact({nullptr, Vec2(3e200, 4e200)}, v, v, 5e200 * (1 - 1e-15)));
 }
 
+/// Places where lines meet, over the whole range and on a lattice, where they are often exactly as far away, or at the
+/// foot.
+TEST(MeetingExact, AgreesWithRationals) {
+  Random random(9);
+  std::array<int, 3> feet{}, distances{};
+  for (int i = 0; i < 6000; ++i) {
+    const bool is_any = i % 8 == 0;
+    const auto number = [&] { return is_any ? anyDouble(random) : static_cast<double>(random() % 13) - 6; };
+    Pose pose = Pose::Identity();
+    if (is_any) {
+      for (const int k : {0, 1, 2, 3})
+        pose.linear()(k / 2, k % 2) = std::ldexp(uniform(random, -1, 1), -static_cast<int>(random() % 1075));
+      pose.translation() = Vec2(number(), number());
+    }
+    std::array<Vec2, 6> points;
+    for (Vec2& p : points) p = Vec2(number(), number());
+    const PosedSegment ray{&pose, &points[0]}, edge{nullptr, &points[2]}, other{&pose, &points[4]};
+    const auto minus = [](const ExactPoint& p, const ExactPoint& q) { return ExactPoint{p.x - q.x, p.y - q.y}; };
+    const auto dot = [](const ExactPoint& u, const ExactPoint& w) { return mpq_class(u.x * w.x + u.y * w.y); };
+    const auto cross = [](const ExactPoint& u, const ExactPoint& w) { return mpq_class(u.x * w.y - u.y * w.x); };
+    const ExactPoint from = posed(ray[0]), d = minus(posed(ray[1]), from), u = minus(posed(edge[1]), posed(edge[0]));
+    const ExactPoint v = posed(other[0]), way = minus(posed(other[1]), v);
+    if (cross(d, u) == 0 || dot(way, way) == 0) continue;
+    const mpq_class s = cross(minus(posed(edge[0]), from), u) / cross(d, u);
+    const int foot = sgn(mpq_class(dot(minus(v, from), d) / dot(d, d) - s));
+    ASSERT_EQ(compareFootExact(other[0], ray, edge), foot) << i;
+    ++feet[static_cast<std::size_t>(foot + 1)];
+    const ExactPoint at{from.x + s * d.x - v.x, from.y + s * d.y - v.y};
+    mpq_class along = dot(at, way) / dot(way, way);
+    along = along < 0 ? mpq_class(0) : along > 1 ? mpq_class(1) : along;
+    const ExactPoint apart{at.x - along * way.x, at.y - along * way.y};
+    const double length = std::abs(number());
+    const int order = sgn(mpq_class(dot(apart, apart) - mpq_class(length) * mpq_class(length)));
+    ASSERT_EQ(meetingWithinExact(ray, edge, other, length), order < 0) << i;
+    ++distances[static_cast<std::size_t>(order + 1)];
+  }
+  for (const int count : feet) EXPECT_GT(count, 10);
+  for (const int count : distances) EXPECT_GT(count, 10);
+}
+
 TEST(OrientFilter, IsNeverWrongAndSeldomUncertain) {
   Random random(3);
   int uncertain_generic = 0, uncertain_near = 0, decided_near = 0;
