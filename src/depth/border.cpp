@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "hierarchy/hierarchy.h"
 #include "pair/complement.h"
@@ -13,11 +15,14 @@ namespace {
 
 struct Borders : Derived::Thing {
   explicit Borders(const PolygonData& polygon) {
-    const std::optional<std::vector<Ring>> rings = borderRings(polygon);
-    if (!rings)
+    std::optional<BorderRings> found = borderRings(polygon);
+    if (!found) {
       region = &polygon;
-    else if (!rings->empty())
-      own = PolygonData::make(RingsView(*rings), {FillRule::EvenOdd, polygon.fill.is_complement}), region = own;
+    } else if (!found->rings.empty()) {
+      own = PolygonData::make(RingsView(found->rings), {FillRule::EvenOdd, polygon.fill.is_complement});
+      region = own;
+      edges = std::move(found->edges);
+    }
   }
   ~Borders() override {
     if (own != nullptr) own->release();
@@ -25,6 +30,7 @@ struct Borders : Derived::Thing {
 
   const PolygonData* region = nullptr;
   PolygonData* own = nullptr;
+  std::vector<std::size_t> edges;  ///< by the numbers of own edges: positions in the polygon
 };
 
 }  // namespace
@@ -34,6 +40,11 @@ const PolygonData* withBordersOnly(const PolygonData& polygon) {
   const std::vector<std::int8_t>& sides = regionSidesOf(polygon).rings;
   if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side != 0; })) return &polygon;
   return hierarchyOf(polygon).borders.made<Borders>(polygon).region;
+}
+
+std::size_t givenEdge(const PolygonData& polygon, const PolygonData& region, std::size_t position) {
+  if (&region == &polygon) return position;
+  return hierarchyOf(polygon).borders.made<Borders>(polygon).edges[region.edgeNumber(position)];
 }
 
 }  // namespace tricover::detail

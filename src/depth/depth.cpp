@@ -27,10 +27,12 @@ EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
   return position < 0 ? -1 : polygon.edgeName(static_cast<std::size_t>(position));
 }
 
+Depth noDepth() { return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0}; }
+
 /// Whose depths are above `enough` or not above `least` needs no better answer.
 Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double least,
                    double enough, double* precision) {
-  Depth result{0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0};
+  Depth result = noDepth();
   DeepestPoint of_b, of_a;
   const PolygonData *const in_a = withBordersOnly(a), *const in_b = withBordersOnly(b);
   std::optional<Overlap> overlap;
@@ -52,11 +54,11 @@ Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& 
     result.point_a = result.is_point_of_a ? deepest.point : deepest.nearest;
     result.point_b = result.is_point_of_a ? deepest.nearest : deepest.point;
     result.normal = (result.point_a - result.point_b).stableNormalized();
-    const auto name = [](const PolygonData& polygon, const PolygonData* borders, std::ptrdiff_t edge) {
-      return nameOf(borders != nullptr ? *borders : polygon, edge);
+    const auto nearest = [&](const PolygonData& polygon, const PolygonData& region) {
+      return polygon.edgeName(givenEdge(polygon, region, static_cast<std::size_t>(deepest.nearest_edge)));
     };
-    result.edge_a = result.is_point_of_a ? name(a, nullptr, deepest.edge) : name(a, in_a, deepest.nearest_edge);
-    result.edge_b = result.is_point_of_a ? name(b, in_b, deepest.nearest_edge) : name(b, nullptr, deepest.edge);
+    result.edge_a = result.is_point_of_a ? nameOf(a, deepest.edge) : nearest(a, *in_a);
+    result.edge_b = result.is_point_of_a ? nearest(b, *in_b) : nameOf(b, deepest.edge);
   }
   return result;
 }
@@ -86,9 +88,10 @@ Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& 
 }  // namespace detail
 
 Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  if (!collide(a, pose_a, b, pose_b)) return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0};
+  const bool meet = collide(a, pose_a, b, pose_b);
   return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b, [&](const auto&... operands) { return detail::depthInOrder(operands..., {}); },
+      a.data(), pose_a, b.data(), pose_b,
+      [&](const auto&... operands) { return meet ? detail::depthInOrder(operands..., {}) : detail::noDepth(); },
       [](Depth& depth) {
         depth.normal = -depth.normal;
         std::swap(depth.point_a, depth.point_b);

@@ -127,18 +127,20 @@ struct BorderPieces {
     }
   }
 
-  /// Rings of all pieces. An even number of them ends at each point, so that a walk ends where it began.
-  std::vector<Ring> rings() const {
+  /// Rings of all pieces, and the given edges that theirs are pieces of. An even number of pieces ends at each point, so
+  /// that a walk ends where it began.
+  BorderRings rings() const {
     std::map<OrderedPoint, std::set<std::size_t>> left;  // pieces by their ends
     for (std::size_t k = 0; k < all.size(); ++k)
       for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].insert(k);
-    std::vector<Ring> rings;
+    BorderRings found;
     for (std::size_t first = 0; first < all.size(); ++first) {
       if (left[all[first].v].count(first) == 0) continue;
-      rings.emplace_back();
+      found.rings.emplace_back();
       OrderedPoint point = all[first].v;
       for (std::size_t k = first;;) {
-        rings.back().push_back(Vec2(point.data()));
+        found.rings.back().push_back(Vec2(point.data()));
+        found.edges.push_back(all[k].edge);
         for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].erase(k);
         point = all[k].v == point ? all[k].w : all[k].v;
         if (point == all[first].v || left[point].empty()) break;  // empty where points were rounded
@@ -146,7 +148,7 @@ struct BorderPieces {
         k = left[point].count(k + 1) != 0 ? k + 1 : *left[point].begin();
       }
     }
-    return rings;
+    return found;
   }
 
   std::vector<Piece> all;
@@ -155,7 +157,7 @@ struct BorderPieces {
 
 }  // namespace
 
-std::optional<std::vector<Ring>> borderRings(const PolygonData& polygon) {
+std::optional<BorderRings> borderRings(const PolygonData& polygon) {
   const BorderPieces border(polygon, true);
   if (border.are_given && !border.all.empty()) return std::nullopt;
   return border.rings();
@@ -172,7 +174,7 @@ Polygon Polygon::complement() const {
                    "the result would be the whole plane, or nothing");
   // Where all edges are borders, and each is there once, the even-odd rule means the same as the other.
   const detail::Fill fill{FillRule::EvenOdd, !isComplement()};
-  const std::vector<Ring> rings = border.are_given ? this->rings() : border.rings();
+  const std::vector<Ring> rings = border.are_given ? this->rings() : border.rings().rings;
   return {Adopt::Data, detail::PolygonData::make(detail::RingsView(rings), fill)};
 }
 
