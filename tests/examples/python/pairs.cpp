@@ -4,7 +4,9 @@
 #include <tricover/occupancy_grid_io.h>
 #include <tricover/tricover.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -106,13 +108,14 @@ void definePolygon(py::module_& m) {
 void defineMaps(py::module_& m) {
   m.def(
       "outline",
-      [](const py::array_t<std::int8_t, py::array::c_style | py::array::forcecast>& cells, double resolution,
-         const Array& origin) {
+      [](const Array& cells, double resolution, const Array& origin) {
         if (cells.ndim() != 2) throw std::invalid_argument("cells: they must have the shape (height, width)");
         tricover::OccupancyGrid grid;
         grid.height = static_cast<std::size_t>(cells.shape(0));
         grid.width = static_cast<std::size_t>(cells.shape(1));
-        grid.cells.assign(cells.data(), cells.data() + cells.size());
+        // Not a cast to int8, to which 0.9 and 256 are 0.
+        std::transform(cells.data(), cells.data() + cells.size(), std::back_inserter(grid.cells),
+                       [](double cell) { return static_cast<std::int8_t>(cell != 0); });
         grid.resolution = resolution;
         grid.origin = pointFrom(origin, "origin");
         return tricover::outline(grid);
@@ -193,14 +196,18 @@ void defineBooleans(py::module_& m) {
       },
       py::arg("area"), py::arg("pose_area"), py::arg("part"), py::arg("pose_part"), py::arg("margin") = 0.0,
       py::arg("threads") = 0);
-  py::enum_<tricover::Location>(m, "Location")
-      .value("OUTSIDE", tricover::Location::Outside)
-      .value("BOUNDARY", tricover::Location::Boundary)
-      .value("INSIDE", tricover::Location::Inside);
+  // An int for Python, so that the arrays of locate() compare with it.
+  const py::dict locations(py::arg("OUTSIDE") = static_cast<int>(tricover::Location::Outside),
+                           py::arg("BOUNDARY") = static_cast<int>(tricover::Location::Boundary),
+                           py::arg("INSIDE") = static_cast<int>(tricover::Location::Inside));
+  const py::object location =
+      py::module_::import("enum").attr("IntEnum")("Location", locations, py::arg("module") = "tricover");
+  m.attr("Location") = location;
   m.def(
       "locate",
-      [](const Polygon& polygon, const Array& points, std::size_t threads) -> py::object {
-        if (points.ndim() == 1) return py::cast(tricover::locate(polygon, pointFrom(points, "points")));
+      [location](const Polygon& polygon, const Array& points, std::size_t threads) -> py::object {
+        if (points.ndim() == 1)
+          return location(static_cast<int>(tricover::locate(polygon, pointFrom(points, "points"))));
         const std::vector<tricover::Vec2> given = pointsFrom(points, "points");
         py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(given.size()));
         std::int8_t* const answer = answers.mutable_data();
