@@ -62,7 +62,8 @@ struct Penetration {
 /// of their size; for 1024 vertices up to 0.2 s. A search ends after 20,000 translations. That happens where outlines
 /// are almost parallel over a long interval; then lower_bound bounds the depth from below.
 ///
-/// Throws as collide() does.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, for
+/// a value that Touching doesn't have, and for a Polygon::complement(), even where the regions are apart
 ///
 /// \snippet penetration.cpp penetration
 TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,

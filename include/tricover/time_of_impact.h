@@ -68,8 +68,8 @@ struct Impact {
 /// convex may jump, as components join, and an impact may be later by such a step. After 4096 steps the result has
 /// `budget_ended` set.
 ///
-/// Throws std::invalid_argument for motions that checkMotion() refuses, for a margin that is not finite, and for a
-/// time_error that is negative or not finite. Throws std::length_error as collide() does.
+/// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
+/// time_error that is negative or not finite
 ///
 /// \snippet time_of_impact.cpp time of impact
 /// \snippet time_of_impact.cpp allowed overlap
