@@ -4,9 +4,7 @@
 #include <tricover/occupancy_grid_io.h>
 #include <tricover/tricover.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -108,14 +106,14 @@ void definePolygon(py::module_& m) {
 void defineMaps(py::module_& m) {
   m.def(
       "outline",
-      [](const Array& cells, double resolution, const Array& origin) {
+      // To bool, as NumPy casts: true unless it is 0. To int8, 0.9 and 256 were 0.
+      [](const py::array_t<bool, py::array::c_style | py::array::forcecast>& cells, double resolution,
+         const Array& origin) {
         if (cells.ndim() != 2) throw std::invalid_argument("cells: they must have the shape (height, width)");
         tricover::OccupancyGrid grid;
         grid.height = static_cast<std::size_t>(cells.shape(0));
         grid.width = static_cast<std::size_t>(cells.shape(1));
-        // Not a cast to int8, to which 0.9 and 256 are 0.
-        std::transform(cells.data(), cells.data() + cells.size(), std::back_inserter(grid.cells),
-                       [](double cell) { return static_cast<std::int8_t>(cell != 0); });
+        grid.cells.assign(cells.data(), cells.data() + cells.size());
         grid.resolution = resolution;
         grid.origin = pointFrom(origin, "origin");
         return tricover::outline(grid);
