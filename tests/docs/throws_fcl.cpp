@@ -147,13 +147,18 @@ TEST(Throws, Trajectories) {
 TEST(Throws, Managers) {
   SceneManagerd manager;
   fcl::CollisionObjectd* const no_object = nullptr;
+  fcl::CollisionObjectd bare(nullptr);
   SceneManagerd* const no_manager = nullptr;
   fcl::DefaultCollisionData<double> data;
+  fcl::DefaultDistanceData<double> gap;
   const auto callback = fcl::DefaultCollisionFunction<double>;
+  const auto measure = fcl::DefaultDistanceFunction<double>;
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.registerObject(no_object));
-  THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.update(no_object));
+  THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.registerObject(&bare));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.collide(no_object, &data, callback));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.collide(no_manager, &data, callback));
+  THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.distance(no_object, &gap, measure));
+  THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.distance(no_manager, &gap, measure));
 }
 
 }  // namespace
