@@ -12,7 +12,8 @@ install(DIRECTORY include/tricover DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${TRI
 install(EXPORT tricover-core NAMESPACE tricover:: DESTINATION ${TRICOVER_PACKAGE_DIR})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tricoverConfig.cmake.in
   ${PROJECT_BINARY_DIR}/tricoverConfig.cmake INSTALL_DESTINATION ${TRICOVER_PACKAGE_DIR})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/tricoverConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+include(${CMAKE_CURRENT_LIST_DIR}/compatibility.cmake)
+tricover_version_file(${PROJECT_BINARY_DIR}/tricoverConfigVersion.cmake ${PROJECT_VERSION})
 install(FILES ${PROJECT_BINARY_DIR}/tricoverConfig.cmake ${PROJECT_BINARY_DIR}/tricoverConfigVersion.cmake
   DESTINATION ${TRICOVER_PACKAGE_DIR})
 

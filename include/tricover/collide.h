@@ -30,10 +30,8 @@ struct CollideOptions {
 /// Exact for every finite input. The answer depends neither on the order of the arguments nor on earlier calls nor on
 /// the thread. Typical cost: O(log n + log m + k), where k counts pairs of edges in reach and rings that begin near.
 ///
-/// Throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, for a margin that is
-/// not finite, for a tolerance that is negative or not finite, and for a value that Touching doesn't have. The first
-/// query of a polygon that comes near it builds its hierarchy, which throws std::length_error for more than 2^29
-/// vertices.
+/// \throws std::invalid_argument for a pose that is not finite or not rigid within kRigidTolerance, for a margin that
+/// is not finite, for a tolerance that is negative or not finite, and for a value that Touching doesn't have
 ///
 /// \snippet collide.cpp collide
 /// \snippet collide.cpp touching

@@ -37,7 +37,10 @@ struct Conflict {
 /// and the speed, or half a `time_error`: enough but for an overlap that stays exactly as deep as is allowed, of
 /// polygons that are not convex or rotate.
 ///
-/// Throws as timeOfImpact() does. A `time_error` below 1e-9 is taken for that.
+/// A `time_error` below 1e-9 is taken for that.
+///
+/// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
+/// time_error that is negative or not finite
 ///
 /// \snippet time_of_impact.cpp conflicts
 TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const Polygon& b,

@@ -37,7 +37,8 @@ struct Crossing {
 /// This is exact, and edges of length 0 are listed, too. The order means nothing. The list is empty where one region
 /// lies within the other and no edges are that near.
 ///
-/// Throws as collide() does.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, and
+/// for a value that Touching doesn't have
 ///
 /// \snippet contacts.cpp crossings
 TRICOVER_EXPORT std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Polygon& b,
@@ -117,7 +118,9 @@ struct Contact {
 /// where by a third of their size; for 1024 vertices up to 0.2 s. The time grows with the number of components and of
 /// pairs of edges that meet.
 ///
-/// Throws as collide() does.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, for
+/// a value that Touching or ContactDetail doesn't have, and for a Polygon::complement() with GlobalDepth, which is the
+/// default, even where the regions are apart
 ///
 /// \snippet contacts.cpp contacts
 /// \snippet contacts.cpp contacts with margin

@@ -37,7 +37,8 @@ struct DistanceResult {
 /// margin together, or to the smallest double where that is more, and infinity where the distance without the margin
 /// overflows. The order of the arguments and earlier calls change nothing.
 ///
-/// Throws as collide() does, and std::invalid_argument for options that are negative or NaN, and an infinite margin.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, and
+/// for an error that is negative or NaN
 ///
 /// \snippet distance.cpp distance
 TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
@@ -58,7 +59,7 @@ TRICOVER_EXPORT DistanceResult distance(const Polygon& a, const Pose& pose_a, co
 /// With a margin, the truth is what is left of the distance, and is compared by the sum of limit and margin, rounded
 /// down.
 ///
-/// Throws as distance() does, and std::invalid_argument for a limit that is negative or NaN.
+/// \throws std::invalid_argument as distance() does, and for a limit that is negative or NaN
 ///
 /// \snippet distance.cpp distance within
 TRICOVER_EXPORT std::optional<DistanceResult> distanceWithin(const Polygon& a, const Pose& pose_a, const Polygon& b,

@@ -33,15 +33,18 @@ struct LeastDistance {
 /// Each impact with a margin proves a bound: bodies come within a margin, or they never do. The search costs about as
 /// much as timeOfImpact() once for each bit of distance / error.
 ///
-/// Throws as timeOfImpact() does, and std::invalid_argument for an error that is not finite and positive.
+/// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is negative or not finite,
+/// and for an error that is not finite and positive
 ///
 /// \snippet time_of_impact.cpp least distance
 TRICOVER_EXPORT LeastDistance leastDistance(const Polygon& a, const Motion& motion_a, const Polygon& b,
                                             const Motion& motion_b, const LeastDistanceOptions& options = {});
 
 /// Returns the same along trajectories, from the first begin to the last end of the two or, with `absent_outside`,
-/// while both bodies are there. Times are the trajectories' own. Throws std::invalid_argument if the bodies are never
-/// there together.
+/// while both bodies are there. Times are the trajectories' own.
+///
+/// \throws std::invalid_argument for a margin that is negative or not finite, for an error that is not finite and
+/// positive, and for bodies that are never there together
 ///
 /// \snippet time_of_impact.cpp least distance
 TRICOVER_EXPORT LeastDistance leastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,

@@ -21,7 +21,7 @@ struct CacheAccess;
 /// polygon's fill rule says what the sum means. The first few points ask all edges, O(n); then a hierarchy is built,
 /// and typically it takes O(log n + k), where k counts the edges near a ray from the point.
 ///
-/// Throws std::invalid_argument for a point that is not finite, and std::length_error as collide() does.
+/// \throws std::invalid_argument for a point that is not finite
 ///
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);

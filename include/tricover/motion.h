@@ -39,32 +39,37 @@ struct TRICOVER_EXPORT Motion {
   /// Returns a translation without a rotation.
   static Motion translation(const Pose& start, const Vec2& shift);
   /// Returns a motion from pose to pose: a rotation in (-pi, pi], and the pivot on a straight line. at(1) is `end` up
-  /// to rounding, and up to how far the two linear parts differ by more than a rotation. Throws std::invalid_argument,
-  /// naming the field, for a pose that checkPose() refuses, for two poses of which only one mirrors, and for a pivot
-  /// that is not finite.
+  /// to rounding, and up to how far the two linear parts differ by more than a rotation.
+  /// \throws std::invalid_argument for a pose that checkPose() refuses, for two poses of which only one mirrors, and
+  /// for a pivot that is not finite
   static Motion between(const Pose& start, const Pose& end, const Vec2& pivot = Vec2::Zero());
 
   /// The cubic Hermite spline from one end to the other. The polygon's frame has the ends' angles, and its pivot their
-  /// positions. Throws std::invalid_argument, naming the field, for what is not finite.
+  /// positions.
+  /// \throws std::invalid_argument for a value that is not finite
   static Motion spline(const SplineEnd& begin, const SplineEnd& end, const Vec2& pivot = Vec2::Zero());
 
   /// One segment of a uniform cubic B-spline, by its four control points and angles, as fcl::SplineMotion keeps them.
   /// At time t the pivot is at ((1 - t)^3 P0 + (3 t^3 - 6 t^2 + 4) P1 + (-3 t^3 + 3 t^2 + 3 t + 1) P2 + t^3 P3) / 6,
-  /// and likewise the angle. Throws as above.
+  /// and likewise the angle.
+  /// \throws std::invalid_argument for a value that is not finite
   static Motion spline(const std::array<Vec2, 4>& positions, const std::array<double, 4>& angles,
                        const Vec2& pivot = Vec2::Zero());
 
-  /// The pose at `time`, rounded. At 0 it is exactly `start`. Throws std::invalid_argument for a time that is not
-  /// finite.
+  /// The pose at `time`, rounded. At 0 it is exactly `start`.
+  /// \throws std::invalid_argument for a time that is not finite
   Pose at(double time) const;
 
   /// The same motion from one time to another, which are its 0 and 1: at(0) of it is exactly at(from), and the rest is
-  /// right to rounding. Throws std::invalid_argument for a time that is not finite.
+  /// right to rounding.
+  /// \throws std::invalid_argument for a time that is not finite
   Motion part(double from, double until) const;
 };
 
-/// Checks a motion as timeOfImpact() does. Throws std::invalid_argument, naming `name` and the field, unless all of it
-/// is finite and its start is rigid.
+/// Checks a motion as timeOfImpact() does.
+///
+/// \throws std::invalid_argument unless all of it is finite and checkPose() accepts its start. The text has `name` and
+/// the field.
 ///
 /// \snippet motion.cpp check motion
 TRICOVER_EXPORT void checkMotion(const Motion& motion, const char* name = "motion");

@@ -20,6 +20,9 @@ struct OccupancyMap {
 /// Reads a map of ROS's map_server: a YAML file and the PGM image that it names. nav2 and map_saver write the same.
 /// Link tricover::io, which needs yaml-cpp.
 ///
+/// outline() of the grid is a polygon in the grid's own frame: its pose in the world is OccupancyMap::pose. A pose of
+/// your own for the whole map comes before: `world * map.pose`. A map without an occupied cell has no polygon.
+///
 /// The fields are `image` (a path from the YAML file's folder, or an absolute one), `resolution`, `origin` (x, y and
 /// yaw), `negate`, `occupied_thresh` and `free_thresh`. `mode` may be `trinary`, in any case; map_server's modes scale
 /// and raw are refused, and so is `trinary: false` of its first versions, which means scale. With p = 1 - grey, or grey
@@ -30,8 +33,8 @@ struct OccupancyMap {
 /// map's last. A P5 header may end in CR LF if the file's size proves it.
 ///
 /// \param yaml the YAML file's path. Folders, devices and pipes are refused.
-/// \throws std::runtime_error names the file, the field, its value and the limit. It is thrown before any memory is
-/// taken for pixels that the file is too short to have.
+/// \throws std::runtime_error for a file that can't be read or is no such map. The text has the file, the field, its
+/// value and the limit. No memory is taken for pixels that the file is too short to have.
 ///
 /// \snippet occupancy_grid_io.cpp occupancy map
 TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);

@@ -27,14 +27,14 @@ using IsOccupied = std::function<bool(std::int8_t)>;
 
 /// The union of the occupied cells, as one polygon of traced outlines with holes; nothing if no cell is occupied. By
 /// default every value but 0 is occupied: in ROS's convention -1 is unknown and 1 to 100 are degrees of certainty, so
-/// that what is unknown is in the way.
+/// that what is unknown is in the way. For the grid of an OccupancyMap, the polygon's pose is OccupancyMap::pose.
 ///
 /// Every vertex is a corner of the grid where the outline turns: (origin.x + i * resolution, origin.y + j * resolution)
 /// with two roundings a coordinate. Rings run with the region on their left. Cells that share a corner only belong to
 /// rings of their own, which touch there; the region is the same either way. Cost: linear in the number of cells.
 ///
-/// Throws std::invalid_argument, naming the field, if a cell value is missing or left over, if resolution isn't
-/// positive, if a corner isn't finite, if neighbouring corners round to the same coordinate, or for an empty function.
+/// \throws std::invalid_argument if a cell value is missing or left over, if resolution isn't positive, if a corner
+/// isn't finite, if neighbouring corners round to the same coordinate, or for an empty function
 ///
 /// \snippet outline.cpp outline
 TRICOVER_EXPORT std::optional<Polygon> outline(

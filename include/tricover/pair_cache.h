@@ -13,9 +13,10 @@ struct CacheAccess;
 
 }  // namespace detail
 
-/// Remembers certificates and hints of one pair of polygons between queries, of whatever kind. Each stays true whatever
-/// happens in between, because it names the polygons and poses that it is about. A cache may therefore be copied, used
-/// for other pairs, lost or stale: no answer changes, only its cost.
+/// Remembers certificates and hints of one pair of polygons between calls of collide(), distance(), distanceWithin(),
+/// contacts() and penetration(), in any order. Each stays true whatever happens in between, because it names the
+/// polygons and poses that it is about. A cache may therefore be copied, used for other pairs, lost or stale: no answer
+/// changes, only its cost.
 ///
 /// A value of 184 bytes that is copied like any other. PairCache{} is empty. Two threads must not use one at once. A
 /// cache means nothing in another process, nor to this program when it runs again, because Polygon::id() starts anew

@@ -49,8 +49,9 @@ enum class InfluenceKind {
 /// is negative. (The paper's text is wrong in concavities and holes.) It is meant for rings that run with the region on
 /// their left.
 ///
-/// Throws std::invalid_argument for a length that is negative or NaN and for a point that is not finite, and
-/// std::out_of_range for an edge that isn't there.
+/// \throws std::invalid_argument for a length that is negative or NaN, for a point that is not finite, and for a value
+/// that InfluenceKind doesn't have
+/// \throws std::out_of_range for an edge that isn't there
 ///
 /// \snippet paper.cpp influence
 TRICOVER_EXPORT bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, const Vec2& point, double length,
@@ -59,14 +60,15 @@ TRICOVER_EXPORT bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, con
 /// One bit an edge: whether the point, in the polygon's frame, is in that edge's bounded area. Edge i has bit i % 64 of
 /// word i / 64. If no bit is set, no edge comes within that length of the point.
 ///
-/// Throws std::invalid_argument as inInfluenceArea() does.
+/// \throws std::invalid_argument for a length that is negative or NaN and for a point that is not finite
 ///
 /// \snippet paper.cpp influence mask
 TRICOVER_EXPORT std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& point, double length);
 
 /// The corners of an edge's bounded area, in order, rounded: for drawings.
 ///
-/// Throws as inInfluenceArea() does.
+/// \throws std::invalid_argument for a length that is negative or NaN
+/// \throws std::out_of_range for an edge that isn't there
 ///
 /// \snippet paper.cpp bounded influence area
 TRICOVER_EXPORT std::array<Vec2, 4> boundedInfluenceArea(const Polygon& polygon, EdgeIndex edge, double length);
@@ -82,7 +84,10 @@ class MaskCache {
 };
 
 /// tricover::collide() by Algorithm 3, with the repairs that it needs. The same answers, from the same predicates and
-/// the same edge test, in O(n m). Throws as tricover::collide() does.
+/// the same edge test, in O(n m).
+///
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin or a tolerance that is negative or
+/// not finite, and for a value that Touching doesn't have
 ///
 /// \snippet paper.cpp collide
 TRICOVER_EXPORT bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

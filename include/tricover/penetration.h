@@ -57,12 +57,13 @@ struct Penetration {
 /// pairs the precision is 1e-12 of the smaller radius(), plus 1e-13 of both radii, of the margin and of the distance
 /// between the poses' translations.
 ///
-/// A convex pair takes O(n + m): 1.5 us for 8 vertices each, 3 us for 64. Other pairs take a search. For 64 vertices
+/// A convex pair takes O(n + m): 0.7 us for 8 vertices each, 1.5 us for 64. Other pairs take a search. For 64 vertices
 /// each, that typically takes 15 to 40 us where they overlap by little, and 0.2 to 1 ms where they overlap by a third
 /// of their size; for 1024 vertices up to 0.2 s. A search ends after 20,000 translations. That happens where outlines
 /// are almost parallel over a long interval; then lower_bound bounds the depth from below.
 ///
-/// Throws as collide() does.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, for
+/// a value that Touching doesn't have, and for a Polygon::complement(), even where the regions are apart
 ///
 /// \snippet penetration.cpp penetration
 TRICOVER_EXPORT std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, const Polygon& b,

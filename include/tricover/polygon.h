@@ -43,18 +43,21 @@ struct PolygonData;
 /// \snippet polygon.cpp polygon
 class TRICOVER_EXPORT Polygon {
  public:
-  /// Makes a polygon from rings and a fill rule. Throws std::invalid_argument, naming ring and vertex, for no ring,
-  /// fewer than three vertices in a ring, a coordinate that is not finite, or more than 2^29 vertices in all (one more
-  /// counted for each ring).
+  /// Makes a polygon from rings and a fill rule.
+  /// \throws std::invalid_argument for no ring, for fewer than three vertices in a ring, for a coordinate that is not
+  /// finite, and for a value that FillRule doesn't have. The text has ring and vertex.
+  /// \throws std::length_error for more than 2^29 vertices in all, one more counted for each ring
   explicit Polygon(const std::vector<Ring>& rings, FillRule fill = FillRule::EvenOdd);
-  /// Makes a polygon from rings in braces. Throws likewise.
+  /// Makes a polygon from rings in braces, by the same rules.
   explicit Polygon(std::initializer_list<Ring> rings, FillRule fill = FillRule::EvenOdd)
       : Polygon(std::vector<Ring>(rings), fill) {}
-  /// Makes a polygon from one ring. (A template, so that braces mean rings.) Throws likewise.
+  /// Makes a polygon from one ring, by the same rules. (A template, so that braces mean rings.)
   template <typename OneRing, std::enable_if_t<std::is_same_v<OneRing, Ring>, int> = 0>
   explicit Polygon(const OneRing& ring, FillRule fill = FillRule::EvenOdd) : Polygon(ring.data(), ring.size(), fill) {}
   /// Makes a polygon from one ring of `count` contiguous vertices, which it copies. Cheaper than Polygon({ring}).
-  /// Throws likewise, and for a null pointer. \snippet polygon.cpp raw
+  /// \throws std::invalid_argument as for rings, and for a null pointer
+  /// \throws std::length_error as for rings
+  /// \snippet polygon.cpp raw
   Polygon(const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd);
 
   Polygon(const Polygon& other) noexcept;             ///< Moving copies, too, so that no polygon is without its data.
@@ -76,9 +79,11 @@ class TRICOVER_EXPORT Polygon {
   /// How many edges there are, as many as vertices: the end of the edges' numbers.
   EdgeIndex edgeCount() const { return static_cast<EdgeIndex>(vertexCount()); }
 
-  /// Where an edge starts. Throws std::out_of_range for an edge that isn't there.
+  /// Where an edge starts.
+  /// \throws std::out_of_range for an edge that isn't there
   Vec2 edgeStart(EdgeIndex edge) const;
-  /// Where an edge ends. Throws as edgeStart() does.
+  /// Where an edge ends.
+  /// \throws std::out_of_range for an edge that isn't there
   Vec2 edgeEnd(EdgeIndex edge) const;
 
   /// S, the covering's origin: a point near the region's centroid, inside the bounding box.
@@ -101,21 +106,24 @@ class TRICOVER_EXPORT Polygon {
   /// The smallest box around it, along the axes of its frame. Exact.
   Eigen::AlignedBox2d bounds() const;
   /// A box in the world, along its axes, around the polygon under a pose: larger than the smallest one by rounding at
-  /// most. Throws as checkPose() does.
+  /// most.
+  /// \throws std::invalid_argument for a pose that checkPose() refuses
   Eigen::AlignedBox2d bounds(const Pose& pose) const;
   /// Whether it is one ring that has an area, turns one way and goes around once; straight and repeated vertices don't
   /// matter. Exact, and kept from the first call on. (A region may be convex by rings that aren't, as two halves of a
   /// square: that isn't looked for.)
   bool isConvex() const;
 
-  /// Moved for good: every vertex plus `by`, rounded. Throws std::invalid_argument where that isn't finite.
+  /// Moved for good: every vertex plus `by`, rounded.
+  /// \throws std::invalid_argument where a vertex isn't finite
   /// \snippet polygon.cpp measures
   Polygon translated(const Vec2& by) const;
-  /// Returns the polygon that this one is under a pose: every vertex R p + t, rounded. Throws std::invalid_argument as
-  /// checkPose() does, and where a vertex isn't finite. \snippet polygon.cpp measures
+  /// Returns the polygon that this one is under a pose: every vertex R p + t, rounded.
+  /// \throws std::invalid_argument for a pose that checkPose() refuses, and where a vertex isn't finite
+  /// \snippet polygon.cpp measures
   Polygon transformed(const Pose& pose) const;
-  /// Larger or smaller, about the origin of its frame: every coordinate times `factor`, rounded. Throws
-  /// std::invalid_argument for a factor that isn't positive and finite, and where what comes out isn't finite.
+  /// Larger or smaller, about the origin of its frame: every coordinate times `factor`, rounded.
+  /// \throws std::invalid_argument for a factor that isn't positive and finite, and where a vertex isn't finite
   /// \snippet polygon.cpp measures
   Polygon scaled(double factor) const;
   /// Returns a polygon with fewer vertices, as a rule. No point of either region is farther than `tolerance` from the
@@ -130,22 +138,24 @@ class TRICOVER_EXPORT Polygon {
   /// a ring that cannot be proven to be covered. It takes some tens of microseconds a vertex, and more where hundreds
   /// of edges lie on one line.
   ///
-  /// Throws std::invalid_argument for a tolerance that is negative or not finite.
+  /// \throws std::invalid_argument for a tolerance that is negative or not finite, and for a complement() outwards
   /// \snippet polygon.cpp simplified
   Polygon simplified(double tolerance, Simplify side = Simplify::Both) const;
   /// Returns the closure of what is outside of the region, which is unbounded. Its rings are this polygon's, and its
   /// edges have their numbers, unless edges have the region on both sides or on none, as those that two rings share:
   /// such edges are left out, and rings are joined anew from the others. The fill rule is FillRule::EvenOdd. Exact.
   ///
-  /// Legal in all queries but penetration() and ContactDetail::GlobalDepth, which throw std::invalid_argument. Two
-  /// complements always collide. A complement isn't convex. Its area(), bounds() and radius() are infinite, and its
-  /// centroid() is the middle of its rings' box. Where a precision depends on a polygon's size or points, these are its
-  /// rings'. It stays one when it is translated(), transformed(), scaled() or simplified() (not outwards), and
-  /// complement() of it is the closure of the region's inside. In a Scene, it is near every other body.
+  /// Legal in all queries but penetration(), and contacts() with ContactDetail::GlobalDepth, which is the default
+  /// there: these two refuse it, even where it is apart. Two complements always collide. A complement isn't convex. Its
+  /// area(), bounds() and radius() are infinite, and its centroid() is the middle of its rings' box. Where a precision
+  /// depends on a polygon's size or points, these are its rings'. It stays one when it is translated(), transformed(),
+  /// scaled() or simplified() (not outwards), and complement() of it is the closure of the region's inside. In a Scene,
+  /// it is near every other body.
   ///
-  /// Throws std::invalid_argument for a polygon that has no area; and under FillRule::NonZero, naming ring and vertex,
-  /// where an edge is inside of the region beyond a crossing that is no vertex: doubles do not hold that point. Takes
-  /// O(n log n) for most polygons. \snippet polygon.cpp complement
+  /// Takes O(n log n) for most polygons.
+  /// \throws std::invalid_argument for a polygon that has no area; and under FillRule::NonZero where an edge is inside
+  /// of the region beyond a crossing that is no vertex: doubles do not hold that point. The text has ring and vertex.
+  /// \snippet polygon.cpp complement
   Polygon complement() const;
 
   const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.

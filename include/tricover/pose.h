@@ -39,15 +39,19 @@ inline Pose pose(double x, double y, double heading = 0) {
 /// the limit, for all of them are about the map as it is written.
 constexpr double kRigidTolerance = 1e-4;
 
-/// Checks a pose as every query does. Throws std::invalid_argument, naming `name`, the field, and how far it is off,
-/// unless it is finite and rigid within kRigidTolerance.
+/// Checks a pose as every query does.
+///
+/// \throws std::invalid_argument unless it is finite and rigid within kRigidTolerance. The text has `name`, the field,
+/// and how far it is off.
 ///
 /// \snippet pose.cpp pose
 TRICOVER_EXPORT void checkPose(const Pose& pose, const char* name = "pose");
 
 /// The rigid map nearest to it, to a rounding: R becomes the orthogonal factor of its polar decomposition, so that a
-/// scale and a shear are dropped; what mirrors still does, and the translation stays. Throws std::invalid_argument,
-/// naming `name`, for what is not finite, or takes the plane to a line or a point, to which no rigid map is nearest.
+/// scale and a shear are dropped; what mirrors still does, and the translation stays.
+///
+/// \throws std::invalid_argument for a map that is not finite, or takes the plane to a line or a point, to which no
+/// rigid map is nearest. The text has `name`.
 ///
 /// \snippet pose.cpp nearest
 TRICOVER_EXPORT Pose nearestRigid(const Pose& pose, const char* name = "pose");

@@ -38,8 +38,8 @@ struct RayHit {
 /// With a margin, the grown region is met within 1e-13 of the coordinates, as timeOfImpact() meets it. The hit's edge
 /// is then the one that the margin is around, and its normal leads from there to the hit.
 ///
-/// Throws std::invalid_argument for a point that is not finite, for a pose that checkPose() refuses and a margin that
-/// is negative or not finite, and std::length_error as collide() does.
+/// \throws std::invalid_argument for a point that is not finite, for a pose that checkPose() refuses, and for a margin
+/// that is negative or not finite
 ///
 /// \snippet ray.cpp ray
 TRICOVER_EXPORT std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from,
@@ -61,7 +61,9 @@ struct RayInterval {
 /// from 0 to 1. Typical cost: O(log n + k log k), where k counts the edges near the ray's line.
 ///
 /// With a margin, each end is as precise as castRay()'s hit. The ray may be outside of the grown region for less than
-/// 1e-9 of its length within an interval. Throws as castRay() does.
+/// 1e-9 of its length within an interval.
+///
+/// \throws std::invalid_argument as castRay() does
 ///
 /// \snippet ray.cpp all
 TRICOVER_EXPORT std::vector<RayInterval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from,

@@ -67,7 +67,7 @@ struct BodyPose {
 constexpr BodyHandle kNoBody = ~BodyHandle{0};
 
 /// Selects the bodies of a query by category, and may leave one of them out. A mask converts to a filter.
-/// A query throws std::out_of_range if `except` is neither kNoBody nor a body of the scene.
+/// \throws std::out_of_range in a query, if `except` is neither kNoBody nor a body of the scene
 /// \snippet scene.cpp scene nearest
 struct BodyFilter {
   /// Selects the bodies that have one of the categories, except one body.
@@ -197,25 +197,35 @@ class TRICOVER_EXPORT Scene {
 
   /// Adds a body. A call that throws changes nothing, here and in all functions below.
   /// \return the body's handle
-  /// \throws std::invalid_argument as tricover::collide() does for the pose and the margin
-  /// \throws std::length_error for more than 2^28 bodies, and as tricover::collide() does
+  /// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is not finite, and for a
+  /// value that Touching doesn't have
+  /// \throws std::length_error for more than 2^28 bodies
   /// \snippet scene.cpp scene bodies
   Body add(const Polygon& polygon, const Pose& pose, const BodyOptions& options = {});
-  /// Adds many bodies, or none if it throws. Throws as the function above does.
+  /// Adds many bodies, or none if it throws.
   /// \return their handles, in the order of `bodies`
+  /// \throws std::invalid_argument as for one body
+  /// \throws std::length_error as for one body
   /// \snippet scene.cpp scene bodies
   std::vector<Body> add(const std::vector<BodyPlacement>& bodies);
-  /// Removes a body. Throws std::out_of_range for a handle that names no body.
+  /// Removes a body.
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene bodies
   void remove(Body body);
-  /// Moves a body to another pose. Throws as add() and remove() do.
+  /// Moves a body to another pose.
+  /// \throws std::invalid_argument for a pose that checkPose() refuses
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene bodies
   void move(Body body, const Pose& pose);
-  /// Changes a body's options. A pair that collides before and after neither ends nor begins for collisions(). Throws
-  /// as add() and remove() do. \snippet scene.cpp scene handles
+  /// Changes a body's options. A pair that collides before and after neither ends nor begins for collisions().
+  /// \throws std::invalid_argument for a margin that is not finite, and for a value that Touching doesn't have
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene handles
   void setOptions(Body body, const BodyOptions& options);
   /// Moves many bodies: the result is that of single moves in order, whatever `parallel` is. Moves none if a body or a
   /// pose is refused. If `parallel` itself throws, or memory runs out, some bodies may stay where they were.
+  /// \throws std::invalid_argument for a pose that checkPose() refuses
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene frames
   void move(const std::vector<BodyPose>& poses, const Parallel& parallel = {});
 
@@ -228,13 +238,16 @@ class TRICOVER_EXPORT Scene {
   /// Returns whether the handle names a body.
   /// \snippet scene.cpp scene bodies
   bool contains(Body body) const;
-  /// Returns a body's polygon. Throws as remove() does.
+  /// Returns a body's polygon.
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene bodies
   const Polygon& polygon(Body body) const;
-  /// Returns a body's pose. Throws as remove() does.
+  /// Returns a body's pose.
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene bodies
   const Pose& pose(Body body) const;
-  /// Returns a body's options as they were given. Throws as remove() does.
+  /// Returns a body's options as they were given.
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene bodies
   const BodyOptions& options(Body body) const;
 
@@ -250,83 +263,102 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& ended() const;
 
-  /// Returns whether a polygon at a pose collides with a body that passes the filter. Throws as tricover::collide()
-  /// does.
+  /// Returns whether a polygon at a pose collides with a body that passes the filter.
+  /// \throws std::invalid_argument as tricover::collide() does
   /// \snippet scene.cpp scene queries
   bool collides(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                 const BodyFilter& filter = {}) const;
   /// Returns the same for many poses, in their order.
+  /// \throws std::invalid_argument as tricover::collide() does
   /// \snippet scene.cpp parallel
   std::vector<bool> collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options = {},
                              const BodyFilter& filter = {}, const Parallel& parallel = {}) const;
-  /// Returns a body that passes the filter and collides with a polygon, an arbitrary one if there are several. Throws
-  /// as tricover::collide() does. \snippet scene.cpp scene queries
+  /// Returns a body that passes the filter and collides with a polygon, an arbitrary one if there are several.
+  /// \throws std::invalid_argument as tricover::collide() does
+  /// \snippet scene.cpp scene queries
   std::optional<Body> anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                                    const BodyFilter& filter = {}) const;
-  /// Returns all bodies that pass the filter and collide with a polygon, sorted. Throws as tricover::collide() does.
+  /// Returns all bodies that pass the filter and collide with a polygon, sorted.
+  /// \throws std::invalid_argument as tricover::collide() does
   /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               const BodyFilter& filter = {}) const;
   /// Returns whether the union of the bodies that pass the filter holds all of a posed polygon, as tricover::covers()
   /// says for one area: a vehicle across lanes that overlap or share a border. Exact, for overlapping rings and bodies
-  /// alike. Throws as tricover::covers() does, and std::invalid_argument if one of these bodies that is near has a
-  /// margin. \snippet covers.cpp scene covers
+  /// alike.
+  /// \throws std::invalid_argument as tricover::covers() does, and if one of these bodies that is near has a margin
+  /// \snippet covers.cpp scene covers
   bool covers(const Polygon& polygon, const Pose& pose, const CoverOptions& options = {},
               const BodyFilter& filter = {}) const;
   /// Returns the first time at which covers() is false of a moving polygon while all bodies rest, or nothing if they
-  /// cover it throughout. Time runs from 0 to 1. The time is never late. Along a border that the polygon follows, rounding
-  /// may decide: allow it to stick out a little, by a margin of -1e-6. Throws as covers() and timeOfImpact() do.
+  /// cover it throughout. Time runs from 0 to 1. The time is never late. Along a border that the polygon follows,
+  /// rounding may decide: allow it to stick out a little, by a margin of -1e-6.
+  /// \throws std::invalid_argument as covers() does, and for a motion that checkMotion() refuses
   /// \snippet covers.cpp first exit
   std::optional<Exit> firstExit(const Polygon& polygon, const Motion& motion, const CoverOptions& options = {},
                                 const BodyFilter& filter = {}) const;
   /// Returns the same along a trajectory, by its clock.
+  /// \throws std::invalid_argument as covers() does
   /// \snippet covers.cpp first exit
   std::optional<Exit> firstExit(const Polygon& polygon, const Trajectory& trajectory, const CoverOptions& options = {},
                                 const BodyFilter& filter = {}) const;
-  /// Returns the body nearest to a polygon among those that pass the filter. Equal distances: the lowest handle. Throws
-  /// as tricover::distance() does.
+  /// Returns the body nearest to a polygon among those that pass the filter. Equal distances: the lowest handle.
+  /// \throws std::invalid_argument as tricover::distance() does
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       const BodyFilter& filter = {}) const;
-  /// Returns the same body if it is no farther away than `limit`. Throws as tricover::distanceWithin() does.
+  /// Returns the same body if it is no farther away than `limit`.
+  /// \throws std::invalid_argument as tricover::distanceWithin() does
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                             const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
   /// Returns the `count` nearest bodies no farther away than `limit`, or fewer if there are fewer, in the order of
-  /// distances, then handles. Throws as tricover::distanceWithin() does.
+  /// distances, then handles.
+  /// \throws std::invalid_argument as tricover::distanceWithin() does
   /// \snippet scene.cpp scene nearest
   std::vector<BodyDistance> nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
                                      const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
   /// Returns the body that a moving polygon meets first among those that pass the filter. All bodies rest. Equal times:
-  /// the lowest handle. Throws as timeOfImpact() does.
+  /// the lowest handle.
+  /// \throws std::invalid_argument as timeOfImpact() does
   /// \snippet scene.cpp scene queries
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Motion& motion, const ImpactOptions& options = {},
                                         const BodyFilter& filter = {}) const;
   /// Returns the same along a trajectory. Times and `time_error` are by the trajectory's clock.
+  /// \throws std::invalid_argument as timeOfImpact() does
   /// \snippet scene.cpp scene trajectories
   std::optional<BodyImpact> firstImpact(const Polygon& polygon, const Trajectory& trajectory,
                                         const ImpactOptions& options = {}, const BodyFilter& filter = {}) const;
   /// Returns all pairs that meet while these bodies move and the others rest, each at its first time. The earliest
-  /// comes first, then the order is that of handles. \throws std::invalid_argument as timeOfImpact() does, and for a
-  /// body that is named twice \throws std::out_of_range as remove() does \snippet scene.cpp scene
+  /// comes first, then the order is that of handles.
+  /// \throws std::invalid_argument as timeOfImpact() does, and for a body that is named twice
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene
   std::vector<PairImpact> impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
   /// Returns the same along trajectories, from the first begin to the last end of the pair. Times and `time_error` are
-  /// by the clock, which is the same for all trajectories. \snippet scene.cpp scene trajectories
+  /// by the clock, which is the same for all trajectories.
+  /// \throws std::invalid_argument as timeOfImpact() does, and for a body that is named twice
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene trajectories
   std::vector<PairImpact> impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options = {},
                                   const Parallel& parallel = {}) const;
   /// Returns all time intervals in which pairs meet, as tricover::conflicts() returns them for each pair. The earliest
-  /// comes first, then the order is that of handles. Throws as impacts() does.
+  /// comes first, then the order is that of handles.
+  /// \throws std::invalid_argument as timeOfImpact() does, and for a body that is named twice
+  /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene trajectories
   std::vector<PairConflict> conflicts(const std::vector<BodyTrajectory>& trajectories,
                                       const ImpactOptions& options = {}, const Parallel& parallel = {}) const;
   /// Returns the body that a ray from `from` to `to` meets first among those that pass the filter. Equal fractions: the
-  /// lowest handle. Margins of a body and of the ray add up. Throws as tricover::castRay() does.
+  /// lowest handle. Margins of a body and of the ray add up.
+  /// \throws std::invalid_argument for a point that is not finite, and for a margin that is negative or not finite
   /// \snippet scene.cpp scene queries
   std::optional<BodyRayHit> castRay(const Vec2& from, const Vec2& to, const RayOptions& options = {},
                                     const BodyFilter& filter = {}) const;
   /// Returns all intervals of such a ray that are in bodies that pass the filter, in the order of their begins, then
-  /// handles. Bodies may overlap. Throws as tricover::castRay() does.
+  /// handles. Bodies may overlap.
+  /// \throws std::invalid_argument for a point that is not finite, and for a margin that is negative or not finite
   /// \snippet scene.cpp scene queries
   std::vector<BodyRayInterval> castRayAll(const Vec2& from, const Vec2& to, const RayOptions& options = {},
                                           const BodyFilter& filter = {}) const;

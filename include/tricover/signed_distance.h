@@ -25,7 +25,8 @@ struct SignedDistance {
 /// as that of depth(). How far b must move to be free of a is another question: see penetration(). Swapping the operands
 /// turns the normal round and swaps the points, unless they are the same region at the same place.
 ///
-/// Throws as distance() does, but for complements: these have a depth.
+/// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, and
+/// for an error that is negative or NaN
 ///
 /// \snippet penetration.cpp signed distance
 TRICOVER_EXPORT SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygon& b,

@@ -16,13 +16,15 @@
 namespace tricover {
 
 /// A drawing in world coordinates (y upwards), scaled to fit. Colours are SVG colour strings.
-/// Members draw in call order, later ones on top. Numbers are written the same in every locale. They throw
-/// std::invalid_argument for poses that collide() refuses and for points that aren't finite.
+/// Members draw in call order, later ones on top. Numbers are written the same in every locale.
+/// \throws std::invalid_argument in all members, for a pose that checkPose() refuses, a margin that is negative or not
+/// finite, and a point that isn't finite
 /// \snippet svg.cpp svg
 class TRICOVER_EXPORT SvgDrawing {
  public:
   /// Makes an empty drawing. Its picture is `width_px` pixels wide. A tall one is narrower, so that it is at most twice
-  /// as high as that. Throws std::invalid_argument for a width that isn't positive and finite.
+  /// as high as that.
+  /// \throws std::invalid_argument for a width that isn't positive and finite
   explicit SvgDrawing(double width_px = 800);
 
   /// Draws the region under its fill rule, and its outline. With a margin, a world length, what is outside the region
@@ -43,8 +45,8 @@ class TRICOVER_EXPORT SvgDrawing {
   /// The bounded influence areas of length n of all edges.
   void influenceAreas(const Polygon& polygon, const Pose& pose, double length, const std::string& fill = "#f59e0b");
   /// The boxes of the polygon's hierarchy on one level. Level 0 is the box around everything. Level k + 1 is what the
-  /// boxes of level k are divided into; the box of a single edge stays as it is. Throws std::invalid_argument for a
-  /// negative level.
+  /// boxes of level k are divided into; the box of a single edge stays as it is.
+  /// \throws std::invalid_argument for a negative level
   void boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke = "#7c3aed");
   /// The discs that the hierarchy knows to lie in the region.
   void innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill = "#16a34a");
@@ -60,7 +62,8 @@ class TRICOVER_EXPORT SvgDrawing {
   /// Both polygons at the start, faintly, and at the time of impact; there the point and an arrow along the normal.
   void impact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, const Impact& impact);
 
-  /// A whole SVG document. Throws std::logic_error while nothing is drawn.
+  /// A whole SVG document.
+  /// \throws std::logic_error while nothing is drawn
   std::string str() const;
 
  private:

@@ -67,8 +67,8 @@ struct Impact {
 /// times of impact as above. Where neither is free, as of jaws that grip a bar, the search goes on for as long as the
 /// depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
 ///
-/// Throws std::invalid_argument for motions that checkMotion() refuses, for a margin that is not finite, and for a
-/// time_error that is negative or not finite. Throws std::length_error as collide() does.
+/// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
+/// time_error that is negative or not finite
 ///
 /// \snippet time_of_impact.cpp time of impact
 /// \snippet time_of_impact.cpp allowed overlap

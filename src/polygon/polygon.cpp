@@ -189,7 +189,8 @@ struct GivenRings : Derived::Thing {
 
 void requireCapacity(std::size_t positions) {
   if (positions > kMostPositions)
-    refuse("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon");
+    throw std::length_error(
+        refusal("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon"));
 }
 
 PolygonData* PolygonData::make(const RingsView& rings, const Fill& fill) {

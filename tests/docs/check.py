@@ -31,7 +31,7 @@ DOCUMENTS = (
 FRONT_PAGE = 200  # lines, at the most
 NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
 METHOD = re.compile(r"((?:^  ///[^\n]*\n)+)^  (?:const )?[\w:<>&]+ (\w+)\(", re.MULTILINE)
-THROWS_FIRST = re.compile(r"^(?! *///)[^\n]*\n *///<? (Throws|See)|///< (Throws|See)", re.MULTILINE)
+THROWS_FIRST = re.compile(r"^(?! *///)[^\n]*\n *///<? (\\throws|See)|///< (\\throws|See)", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]+))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 

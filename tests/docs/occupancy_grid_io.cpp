@@ -6,7 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "tricover/locate.h"
+#include "tricover/collide.h"
+#include "tricover/segment.h"
 
 namespace {
 
@@ -24,9 +25,11 @@ TEST(Documentation, OccupancyMap) {
   EXPECT_EQ(map.grid.cells, (std::vector<std::int8_t>{100, 100, 100, 100,  //
                                                       100, 0, 0, 100,      //
                                                       100, 100, 100, -1}));
-  const auto walls = tricover::outline(map.grid);  // in the grid's own frame; map.pose puts it into the world
-  const tricover::Vec2 place = map.pose.inverse() * tricover::Vec2(-0.9, 2.075);
-  EXPECT_EQ(tricover::locate(*walls, place), tricover::Location::Outside);
+  const auto walls = tricover::outline(map.grid);  // nothing for a map without a wall
+  const tricover::Polygon robot = tricover::box(0.04, 0.04);
+  // In the world, where the map's pose puts its walls.
+  EXPECT_FALSE(tricover::collide(*walls, map.pose, robot, tricover::pose(-0.9, 2.075)));
+  EXPECT_TRUE(tricover::collide(*walls, map.pose, robot, tricover::pose(-0.9, 2.025)));
   //! [occupancy map]
 }
 

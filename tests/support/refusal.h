@@ -6,12 +6,12 @@
 
 namespace tricover::support {
 
-/// The text of the std::invalid_argument that a call ends with; empty if it doesn't.
-template <typename Call>
+/// The text of the exception that a call ends with; empty if it doesn't.
+template <typename Exception = std::invalid_argument, typename Call>
 std::string refusal(const Call& call) {
   try {
     call();
-  } catch (const std::invalid_argument& error) {
+  } catch (const Exception& error) {
     return error.what();
   }
   return {};

@@ -17,9 +17,8 @@ namespace tricover_fcl {
 ///
 /// Exact: gjk_solver_type, gjk_tolerance and the cached guess change nothing. Two polygons at different z don't touch,
 /// nor do prisms (PolygonOptions) whose intervals are apart: the doubles of poses and shapes, added and compared
-/// exactly. Throws std::invalid_argument for a pose that leaves the plane (entries of R that mix z with x or y, or
-/// |R_zz| - 1, above 1e-6), isn't rigid or isn't finite: pose_a is the first object's, pose_b the
-/// second's. A half turn about an axis in the plane is a legal, mirrored pose.
+/// exactly. Poses stay in the plane: entries of R that mix z with x or y, and |R_zz| - 1, are at most 1e-6. A half turn
+/// about an axis in the plane is a legal, mirrored pose.
 ///
 /// A hit adds fcl::Contacts as long as there are fewer than num_max_contacts: one without details, or with
 /// enable_contact one for each connected part of the overlap (tricover::contacts), deepest first: what a step of a
@@ -51,6 +50,11 @@ namespace tricover_fcl {
 /// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
 /// nothing.
 ///
+/// \throws std::invalid_argument for a pose that isn't rigid or finite, and for one of two polygons' that leaves the
+/// plane. The text calls the first object's pose_a, the second's pose_b.
+/// \throws std::logic_error for a polygon beside fcl::TriangleP, which shares its node type, or beside a geometry of no
+/// type that FCL knows; and for a complement beside other geometries than polygons, spheres, cylinders and capsules
+///
 /// \snippet fcl.cpp fcl collide
 template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S>& tf1,
@@ -63,8 +67,10 @@ TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl
                                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
 /// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
-/// knows nothing of it: its boxes include the shapes' own margins only. Throws std::logic_error if neither is a
-/// polygon.
+/// knows nothing of it: its boxes include the shapes' own margins only.
+///
+/// \throws std::invalid_argument for a margin that is not finite, and for a tolerance that is negative or not finite
+/// \throws std::logic_error if neither is a polygon
 ///
 /// \snippet fcl.cpp fcl collide with options
 template <typename S>

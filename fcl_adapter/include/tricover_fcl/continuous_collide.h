@@ -20,7 +20,7 @@ namespace tricover_fcl {
 /// and so does a pass that only touches. Shapes with margins are in contact as soon as they are as near as the sum of
 /// those. num_max_iterations changes nothing. All of FCL's own motions are followed, a SplineMotion by its control
 /// points; for many one after the other see TrajectoryMotion. A motion that leaves the plane (it must keep z and turn
-/// about z) throws std::invalid_argument.
+/// about z) is refused.
 ///
 /// A motion class of the user's own is followed by its poses and its computeMotionBound for FCL's
 /// BVMotionBoundVisitor: that, asked after integrate(t), must be no less than the speed, in the visitor's direction, of
@@ -29,16 +29,16 @@ namespace tricover_fcl {
 /// as contact. The better the bound, the fewer poses are asked for: passing by at a distance d takes about way / d of
 /// them. The search takes at most 16 / toc_err steps (65,536 at least, a million at most) for each leg of the other
 /// motion. After so many it reports a contact at the time that it has reached: nothing is met before, and nothing is
-/// known about later. A bound that isn't finite throws std::logic_error, and so does a motion that hands itself to the
+/// known about later. A bound that isn't finite is refused, and so is a motion that hands itself to the
 /// visitor, because FCL's visitors know FCL's motions alone and say 0 of others.
 ///
 /// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
-/// turn about its normal), wherever that is in space; other motions throw std::invalid_argument, and work with
+/// turn about its normal), wherever that is in space; other motions are refused, and work with
 /// CCDC_NAIVE in fcl::continuousCollide. A plane or halfspace needs a motion of FCL's, or one that stands still. A
 /// round geometry that is neither a disc nor a stadium is taken for a polygon around it, at most 1e-4 of its size
 /// outside.
 ///
-/// fcl::continuousCollide throws std::logic_error for a polygon where CCDC_RAY_SHOOTING or CCDC_POLYNOMIAL_SOLVER is
+/// fcl::continuousCollide refuses a polygon where CCDC_RAY_SHOOTING or CCDC_POLYNOMIAL_SOLVER is
 /// asked for, which know none. (Its float version is compiled into users' code, out of reach: it prints, or says
 /// "free".)
 ///
@@ -50,8 +50,12 @@ namespace tricover_fcl {
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way; here it is a
 ///   TranslationMotion. If you make one yourself, its goal is taken for the end, but contact_tf1 and contact_tf2, which
 ///   FCL fills, don't.
-/// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that throws
-///   std::logic_error. Make it from control points.
+/// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that is
+///   refused. Make it from control points.
+///
+/// \throws std::invalid_argument for a motion that leaves the polygon's plane, or isn't rigid or finite
+/// \throws std::logic_error for CCDM_SPLINE between two transforms, for a motion of the user's own whose bound isn't
+/// finite or that hands itself to the visitor, and for a plane or halfspace that one of those moves
 ///
 /// \snippet fcl.cpp fcl continuous collide
 template <typename S>

@@ -41,8 +41,9 @@ namespace tricover_fcl {
 /// geometry, which is its whole shadow along z between its lowest and its highest point. That is at most the distance
 /// in space, and the same for geometries that stand upright. nearest_points are those of the two prisms.
 ///
-/// Throws std::invalid_argument as collide() does, and std::logic_error where FCL would abort: signed distance under
-/// GST_INDEP, or to a mesh or octree, of geometries that overlap and aren't both occupied.
+/// \throws std::invalid_argument as collide() does, and for margins with a negative sum
+/// \throws std::logic_error as collide() does, and where FCL would abort: for a signed distance under GST_INDEP, or to
+/// a mesh or octree, of geometries that overlap and aren't both occupied
 ///
 /// \snippet fcl.cpp fcl distance
 template <typename S>

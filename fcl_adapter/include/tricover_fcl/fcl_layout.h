@@ -33,8 +33,9 @@ struct FclLayout {
   std::size_t continuous_result = sizeof(fcl::ContinuousCollisionResult<double>);    ///< see sphere
 };
 
-/// Compares how the caller and tricover see FCL. Throws std::logic_error, naming what differs, unless the caller sees
-/// it as tricover did when it was built.
+/// Compares how the caller and tricover see FCL.
+///
+/// \throws std::logic_error unless the caller sees it as tricover did when it was built. The text has what differs.
 ///
 /// \snippet fcl.cpp layout
 TRICOVER_EXPORT void checkFclLayout(const FclLayout& seen = FclLayout{});

@@ -22,7 +22,8 @@ namespace tricover_fcl {
 template <typename S>
 class TRICOVER_EXPORT PolygonObject final : public fcl::CollisionObject<S> {
  public:
-  /// Makes an object from a shape and its pose. Throws std::invalid_argument where there is no shape.
+  /// Makes an object from a shape and its pose.
+  /// \throws std::invalid_argument where there is no shape
   explicit PolygonObject(const std::shared_ptr<PolygonShape<S>>& shape,
                          const fcl::Transform3<S>& pose = fcl::Transform3<S>::Identity());
 

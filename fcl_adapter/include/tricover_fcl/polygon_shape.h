@@ -87,13 +87,15 @@ class TRICOVER_EXPORT HullPlace {
 template <typename S>
 class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
  public:
-  /// Makes a shape from a polygon and its options. Throws std::invalid_argument, naming the field, for an interval that
-  /// isn't finite (except that of atAllHeights()) or runs downwards, and a margin that is not finite.
-  /// Throws std::logic_error if the caller was compiled with another FCL than tricover, or with another alignment of
-  /// Eigen's types (-march=native): nothing would work safely.
+  /// Makes a shape from a polygon and its options.
+  ///
   /// The last argument is there for its default, which the caller's own code evaluates. The default sees FCL as the
   /// caller does; and FCL's tables for float, which are large, are linked only into programs that make shapes for
   /// float.
+  /// \throws std::invalid_argument for an interval that isn't finite (except that of atAllHeights()) or runs downwards,
+  /// and for a margin that is not finite
+  /// \throws std::logic_error if the caller was compiled with another FCL than tricover, or with another alignment of
+  /// Eigen's types (-march=native): nothing would work safely
   explicit PolygonShape(const tricover::Polygon& polygon, const PolygonOptions& options = {},
                         detail::FilledTables<S> tables = detail::filledTables<S>(FclLayout{}));
 

@@ -13,7 +13,8 @@ TRICOVER_EXPORT void registerNarrowphase();
 template <typename S>
 struct FilledTables {};
 
-/// Throws what checkFclLayout() throws. The first call fills the tables. From any thread.
+/// The first call fills the tables. From any thread.
+/// \throws std::logic_error as checkFclLayout() does
 template <typename S>
 FilledTables<S> filledTables(const FclLayout& seen);
 template <>
@@ -25,20 +26,18 @@ TRICOVER_EXPORT FilledTables<double> filledTables(const FclLayout& seen);
 /// Makes fcl::collide, fcl::distance and fcl::continuousCollide answer for PolygonShape: geometries and
 /// CollisionObjects, both GJK solver types, both orders, and so every broadphase manager. The first
 /// PolygonShape does so by itself, for float the first PolygonShapef. This function adds a check: it queries FCL's
-/// public entry points about known polygons and throws std::logic_error if they don't reach tricover, because they
-/// would answer "free" then. The text says how to link. That happens where libfcl comes before tricover, as in a plugin
-/// whose host links libfcl. tricover_fcl::collide, distance and continuousCollide work there, too, and making a
-/// PolygonShape doesn't throw. Call it once, from any thread; more calls cost next to nothing.
+/// public entry points about known polygons. They do not reach tricover, and would answer "free", where libfcl comes
+/// before tricover, as in a plugin whose host links libfcl. tricover_fcl::collide, distance and continuousCollide work
+/// there, too, and making a PolygonShape doesn't throw. Call it once, from any thread; more calls cost next to nothing.
 ///
 /// Polygons meet polygons in the world's plane, and every other geometry that FCL knows (box, sphere, ellipsoid,
 /// capsule, cone, cylinder, convex, plane, halfspace, meshes of all bounding volumes, octrees) in the polygon's own
 /// plane, wherever that lies in space: see "other geometries" at collide, distance and continuousCollide.
-/// std::logic_error, naming both types, is thrown of a polygon where FCL would print and answer "free": beside
-/// geometries of no type that FCL knows, and fcl::TriangleP, which shares the node type. Pairs without a polygon are
-/// answered as by FCL alone.
+/// These functions refuse a polygon where FCL would print and answer "free": beside geometries of no type that FCL
+/// knows, and fcl::TriangleP, which shares the node type. Pairs without a polygon are answered as by FCL alone.
 ///
-/// Calls checkFclLayout() first, as every constructor of a PolygonShape does: it throws std::logic_error if the caller
-/// was compiled with another FCL than tricover, or with another alignment of Eigen's types.
+/// \throws std::logic_error as checkFclLayout() does, and if FCL's entry points don't reach tricover. The text says how
+/// to link.
 ///
 /// \snippet fcl.cpp register
 inline void registerNarrowphase() {

@@ -35,8 +35,8 @@ namespace tricover_fcl {
 /// - Const functions may be called by any number of threads at once while no other function runs. A callback changes no
 ///   manager.
 ///
-/// Where there is no object or no manager, std::invalid_argument is thrown; std::length_error as tricover::Scene
-/// does.
+/// \throws std::invalid_argument in registerObject(), collide() and distance(), for no object, no geometry or no
+/// manager \throws std::length_error in registerObject() and update(), as tricover::Scene::add() does
 ///
 /// \snippet fcl.cpp scene manager
 template <typename S>

@@ -29,19 +29,20 @@ struct TimedMotion {
 /// `absent_outside`, is absent: it meets nothing then (tricover::BodyTrajectory::absent_outside). toc_err is by FCL's
 /// time, of which 1 is end - begin.
 ///
-/// FCL's own pairs know nothing of it: with CCDC_CONSERVATIVE_ADVANCEMENT they throw std::logic_error. With CCDC_NAIVE
-/// it is asked for its poses as any motion is, and an absent body rests.
+/// FCL's own pairs know nothing of it: with CCDC_CONSERVATIVE_ADVANCEMENT it refuses them. With CCDC_NAIVE it is asked
+/// for its poses as any motion is, and an absent body rests.
 ///
 /// \snippet fcl.cpp fcl trajectory
 template <typename S>
 class TRICOVER_EXPORT TrajectoryMotion final : public fcl::MotionBase<S> {
  public:
-  /// A trajectory in the plane at height z. Throws std::invalid_argument unless `begin` is before `end`, both finite.
+  /// A trajectory in the plane at height z.
+  /// \throws std::invalid_argument unless `begin` is before `end`, both finite, and z is finite
   TrajectoryMotion(const tricover::Trajectory& trajectory, double begin, double end, double z = 0,
                    bool absent_outside = false);
-  /// Motions one after the other, as legs of a Trajectory. Throws as that does, and std::invalid_argument, naming the
-  /// leg, for another class of motion, one that leaves its plane, and one at another height, or the other way up, than
-  /// the first.
+  /// Motions one after the other, as legs of a Trajectory.
+  /// \throws std::invalid_argument as above and as Trajectory does; and for another class of motion, one that leaves
+  /// its plane, and one at another height, or the other way up, than the first. The text has the leg.
   TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end, bool absent_outside = false);
 
   /// By the clock, what FCL's time stands for.
@@ -56,11 +57,14 @@ class TRICOVER_EXPORT TrajectoryMotion final : public fcl::MotionBase<S> {
   /// Where it is since.
   void getCurrentTransform(fcl::Transform3<S>& pose) const override;
 
-  /// For FCL's own pairs: throws, see the class.
+  /// For FCL's own pairs, which it refuses.
+  /// \throws std::logic_error in any case
   S computeMotionBound(const fcl::BVMotionBoundVisitor<S>&) const override;
   /// Likewise.
+  /// \throws std::logic_error in any case
   S computeMotionBound(const fcl::TriangleMotionBoundVisitor<S>&) const override;
-  /// For FCL's boxes around motions: throws, see the class.
+  /// For FCL's boxes around motions, which it refuses.
+  /// \throws std::logic_error in any case
   void getTaylorModel(fcl::TMatrix3<S>&, fcl::TVector3<S>&) const override;
 
  private:

@@ -31,9 +31,10 @@ constexpr const char* kUsage =
     R"(usage: configuration_space map.yaml result [headings 64] [width 512] [height 512] [whole] [threads N] [progress 10]
        mpirun -n 8 configuration_space_mpi map.yaml result ...
 
-The map is one of ROS's map_server. 'whole' asks for cells that are free wherever in them the robot is. Progress is said
-on a terminal, elsewhere by a line every so many seconds. An interrupted run leaves result.part, from which the same
-command goes on. result.pgm is a picture of four headings.
+The map is one of ROS's map_server. Places and headings are those of the map's own frame, as if its origin were 0, 0, 0.
+'whole' asks for cells that are free wherever in them the robot is. Progress is said on a terminal, elsewhere by a line
+every so many seconds. An interrupted run leaves result.part, from which the same command goes on. result.pgm is a
+picture of four headings.
 )";
 
 struct Arguments {

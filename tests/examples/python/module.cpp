@@ -80,6 +80,10 @@ py::object Records::of(const tricover::LeastDistance& r) const {
 PYBIND11_MODULE(tricover, m) {
   m.doc() = "Exact collision detection between 2D polygons.";
   const tricover_python::Records records(m);
+  namespace py = pybind11;
+  const py::dict members(py::arg("__module__") = "tricover", py::arg("__slots__") = py::tuple(),
+                         py::arg("__doc__") = "A handle of a Scene's body: an int that is no mask.");
+  m.attr("Body") = py::type::of(py::type::of(py::int_()))("Body", py::make_tuple(py::type::of(py::int_())), members);
   definePairs(m, records);
   defineMotions(m, records);
   defineScene(m, records);

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <tricover/tricover.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -39,8 +40,49 @@ class Records {
       signed_distance_, least_distance_;
 };
 
+/// A body's handle. Python sees an int of the class Body.
+struct Body {
+  tricover::BodyHandle handle;
+};
+
+/// Categories of bodies. A Body is none, though it is an int, too.
+struct Mask {
+  std::uint32_t bits;
+};
+
 void definePairs(py::module_& m, const Records& records);
 void defineMotions(py::module_& m, const Records& records);
 void defineScene(py::module_& m, const Records& records);
 
 }  // namespace tricover_python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<tricover_python::Body> {
+  PYBIND11_TYPE_CASTER(tricover_python::Body, const_name("tricover.Body"));
+  bool load(handle given, bool converts) {
+    make_caster<tricover::BodyHandle> number;
+    if (!number.load(given, converts)) return false;
+    value = {number};
+    return true;
+  }
+  static handle cast(const tricover_python::Body& body, return_value_policy, handle) {
+    return module_::import("tricover").attr("Body")(body.handle).release();
+  }
+};
+
+template <>
+struct type_caster<tricover_python::Mask> {
+  PYBIND11_TYPE_CASTER(tricover_python::Mask, const_name("int"));
+  bool load(handle given, bool converts) {
+    if (isinstance(given, module_::import("tricover").attr("Body")))
+      throw type_error("a mask or category is wanted, not a body's handle: leave out a body by ignored=body");
+    make_caster<std::uint32_t> number;
+    if (!number.load(given, converts)) return false;
+    value = {number};
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail

@@ -106,7 +106,8 @@ void definePolygon(py::module_& m) {
 void defineMaps(py::module_& m) {
   m.def(
       "outline",
-      [](const py::array_t<std::int8_t, py::array::c_style | py::array::forcecast>& cells, double resolution,
+      // To bool, as NumPy casts: true unless it is 0. To int8, 0.9 and 256 were 0.
+      [](const py::array_t<bool, py::array::c_style | py::array::forcecast>& cells, double resolution,
          const Array& origin) {
         if (cells.ndim() != 2) throw std::invalid_argument("cells: they must have the shape (height, width)");
         tricover::OccupancyGrid grid;
@@ -193,14 +194,18 @@ void defineBooleans(py::module_& m) {
       },
       py::arg("area"), py::arg("pose_area"), py::arg("part"), py::arg("pose_part"), py::arg("margin") = 0.0,
       py::arg("threads") = 0);
-  py::enum_<tricover::Location>(m, "Location")
-      .value("OUTSIDE", tricover::Location::Outside)
-      .value("BOUNDARY", tricover::Location::Boundary)
-      .value("INSIDE", tricover::Location::Inside);
+  // An int for Python, so that the arrays of locate() compare with it.
+  const py::dict locations(py::arg("OUTSIDE") = static_cast<int>(tricover::Location::Outside),
+                           py::arg("BOUNDARY") = static_cast<int>(tricover::Location::Boundary),
+                           py::arg("INSIDE") = static_cast<int>(tricover::Location::Inside));
+  const py::object location =
+      py::module_::import("enum").attr("IntEnum")("Location", locations, py::arg("module") = "tricover");
+  m.attr("Location") = location;
   m.def(
       "locate",
-      [](const Polygon& polygon, const Array& points, std::size_t threads) -> py::object {
-        if (points.ndim() == 1) return py::cast(tricover::locate(polygon, pointFrom(points, "points")));
+      [location](const Polygon& polygon, const Array& points, std::size_t threads) -> py::object {
+        if (points.ndim() == 1)
+          return location(static_cast<int>(tricover::locate(polygon, pointFrom(points, "points"))));
         const std::vector<tricover::Vec2> given = pointsFrom(points, "points");
         py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(given.size()));
         std::int8_t* const answer = answers.mutable_data();

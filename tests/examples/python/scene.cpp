@@ -15,13 +15,19 @@ using tricover::BodyHandle;
 using tricover::Polygon;
 using tricover::Scene;
 
-tricover::BodyFilter filterFrom(std::uint32_t mask, std::optional<BodyHandle> ignored) {
-  return {mask, ignored.value_or(tricover::kNoBody)};
+tricover::BodyFilter filterFrom(Mask mask, std::optional<BodyHandle> ignored) {
+  return {mask.bits, ignored.value_or(tricover::kNoBody)};
 }
 
-std::vector<std::pair<BodyHandle, BodyHandle>> pairsOf(const std::vector<tricover::BodyPair>& pairs) {
-  std::vector<std::pair<BodyHandle, BodyHandle>> result;
-  for (const tricover::BodyPair& pair : pairs) result.emplace_back(pair.first, pair.second);
+std::vector<Body> bodiesOf(const std::vector<BodyHandle>& handles) {
+  std::vector<Body> result;
+  for (const BodyHandle handle : handles) result.push_back({handle});
+  return result;
+}
+
+std::vector<std::pair<Body, Body>> pairsOf(const std::vector<tricover::BodyPair>& pairs) {
+  std::vector<std::pair<Body, Body>> result;
+  for (const tricover::BodyPair& pair : pairs) result.push_back({{pair.first}, {pair.second}});
   return result;
 }
 
@@ -39,17 +45,16 @@ void defineBodies(py::class_<Scene>& scene, const Records& records) {
       .def("__contains__", &Scene::contains)
       .def(
           "add",
-          [](Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t category,
-             std::uint32_t mask, tricover::Touching touching) {
-            return self.add(polygon, onePose(pose, "pose"), {margin, category, mask, touching});
+          [](Scene& self, const Polygon& polygon, const py::object& pose, double margin, Mask category, Mask mask,
+             tricover::Touching touching) {
+            return Body{self.add(polygon, onePose(pose, "pose"), {margin, category.bits, mask.bits, touching})};
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("category") = 1,
           py::arg("mask") = tricover::kEveryCategory, py::arg("touching") = tricover::Touching::Collides)
       .def(
           "set_options",
-          [](Scene& self, BodyHandle body, double margin, std::uint32_t category, std::uint32_t mask,
-             tricover::Touching touching) {
-            self.setOptions(body, {margin, category, mask, touching});
+          [](Scene& self, BodyHandle body, double margin, Mask category, Mask mask, tricover::Touching touching) {
+            self.setOptions(body, {margin, category.bits, mask.bits, touching});
           },
           py::arg("body"), py::arg("margin") = 0.0, py::arg("category") = 1, py::arg("mask") = tricover::kEveryCategory,
           py::arg("touching") = tricover::Touching::Collides)
@@ -60,7 +65,7 @@ void defineBodies(py::class_<Scene>& scene, const Records& records) {
       .def(
           "move", [](Scene& self, BodyHandle body, const py::object& pose) { self.move(body, onePose(pose, "pose")); },
           py::arg("body"), py::arg("pose"))
-      .def_property_readonly("bodies", &Scene::bodies)
+      .def_property_readonly("bodies", [](const Scene& self) { return bodiesOf(self.bodies()); })
       .def("polygon", &Scene::polygon, py::arg("body"))
       .def(
           "pose",
@@ -86,7 +91,7 @@ void defineBooleans(py::class_<Scene>& scene) {
       .def(
           "collides",
           [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, double tolerance,
-             std::uint32_t mask, std::optional<BodyHandle> ignored, tricover::Touching touching,
+             Mask mask, std::optional<BodyHandle> ignored, tricover::Touching touching,
              std::size_t threads) -> py::object {
             const tricover::CollideOptions options{margin, tolerance, touching};
             const Poses poses = posesFrom(pose, "pose");
@@ -104,7 +109,7 @@ void defineBooleans(py::class_<Scene>& scene) {
           py::arg("threads") = 0)
       .def(
           "covers",
-          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t mask,
+          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, Mask mask,
              std::optional<BodyHandle> ignored) {
             return self.covers(polygon, onePose(pose, "pose"), {margin}, filterFrom(mask, ignored));
           },
@@ -112,9 +117,10 @@ void defineBooleans(py::class_<Scene>& scene) {
           py::arg("ignored") = py::none())
       .def(
           "colliding",
-          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, std::uint32_t mask,
+          [](const Scene& self, const Polygon& polygon, const py::object& pose, double margin, Mask mask,
              std::optional<BodyHandle> ignored, tricover::Touching touching) {
-            return self.colliding(polygon, onePose(pose, "pose"), {margin, 0, touching}, filterFrom(mask, ignored));
+            return bodiesOf(
+                self.colliding(polygon, onePose(pose, "pose"), {margin, 0, touching}, filterFrom(mask, ignored)));
           },
           py::arg("polygon"), py::arg("pose"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
           py::arg("ignored") = py::none(), py::arg("touching") = tricover::Touching::Collides);
@@ -124,32 +130,32 @@ void defineMeasures(py::class_<Scene>& scene, const Records& records) {
   scene
       .def(
           "nearest",
-          [records](const Scene& self, const Polygon& polygon, const py::object& pose, std::uint32_t mask,
+          [records](const Scene& self, const Polygon& polygon, const py::object& pose, Mask mask,
                     std::optional<BodyHandle> ignored) -> py::object {
             const auto found = self.nearest(polygon, onePose(pose, "pose"), {}, filterFrom(mask, ignored));
             if (!found) return py::none();
-            return py::make_tuple(found->body, records.of(found->result));
+            return py::make_tuple(Body{found->body}, records.of(found->result));
           },
           py::arg("polygon"), py::arg("pose"), py::arg("mask") = kAll, py::arg("ignored") = py::none())
       .def(
           "cast_ray",
-          [records](const Scene& self, const Array& from, const Array& to, double margin, std::uint32_t mask,
+          [records](const Scene& self, const Array& from, const Array& to, double margin, Mask mask,
                     std::optional<BodyHandle> ignored) -> py::object {
             const auto found = self.castRay(pointFrom(from, "from_point"), pointFrom(to, "to_point"), {margin},
                                             filterFrom(mask, ignored));
             if (!found) return py::none();
-            return py::make_tuple(found->body, records.of(found->hit));
+            return py::make_tuple(Body{found->body}, records.of(found->hit));
           },
           py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
           py::arg("ignored") = py::none())
       .def(
           "cast_ray_all",
-          [records](const Scene& self, const Array& from, const Array& to, double margin, std::uint32_t mask,
+          [records](const Scene& self, const Array& from, const Array& to, double margin, Mask mask,
                     std::optional<BodyHandle> ignored) {
             py::list list;
             for (const tricover::BodyRayInterval& one : self.castRayAll(
                      pointFrom(from, "from_point"), pointFrom(to, "to_point"), {margin}, filterFrom(mask, ignored)))
-              list.append(py::make_tuple(one.body, records.of(one.interval)));
+              list.append(py::make_tuple(Body{one.body}, records.of(one.interval)));
             return list;
           },
           py::arg("from_point"), py::arg("to_point"), py::arg("margin") = 0.0, py::arg("mask") = kAll,
@@ -163,12 +169,12 @@ void defineImpacts(py::class_<Scene>& scene, const Records& records) {
       .def(
           "first_impact",
           [records](const Scene& self, const Polygon& polygon, const Way& motion, double margin, double time_error,
-                    std::uint32_t mask, std::optional<BodyHandle> ignored, bool ignore_initial,
+                    Mask mask, std::optional<BodyHandle> ignored, bool ignore_initial,
                     bool absent_outside) -> py::object {
             const auto found = self.firstImpact(polygon, motion, {margin, time_error, ignore_initial, absent_outside},
                                                 filterFrom(mask, ignored));
             if (!found) return py::none();
-            return py::make_tuple(found->body, records.of(found->impact));
+            return py::make_tuple(Body{found->body}, records.of(found->impact));
           },
           py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6,
           py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("ignore_initial") = false,
@@ -186,7 +192,7 @@ void defineImpacts(py::class_<Scene>& scene, const Records& records) {
             }
             py::list list;
             for (const tricover::PairImpact& one : found)
-              list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.impact)));
+              list.append(py::make_tuple(Body{one.pair.first}, Body{one.pair.second}, records.of(one.impact)));
             return list;
           },
           py::arg("motions"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,
@@ -207,7 +213,7 @@ void defineConflicts(py::class_<Scene>& scene, const Records& records) {
         }
         py::list list;
         for (const tricover::PairConflict& one : found)
-          list.append(py::make_tuple(one.pair.first, one.pair.second, records.of(one.conflict)));
+          list.append(py::make_tuple(Body{one.pair.first}, Body{one.pair.second}, records.of(one.conflict)));
         return list;
       },
       py::arg("trajectories"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,

@@ -39,7 +39,13 @@ class Polygons(unittest.TestCase):
         twice = [[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (3, 1), (3, 3), (1, 3)]]
         self.assertEqual(tc.locate(tc.Polygon(twice), (2, 2)), tc.Location.OUTSIDE)
         self.assertEqual(tc.locate(tc.Polygon(twice, tc.FillRule.NON_ZERO), (2, 2)), tc.Location.INSIDE)
-        np.testing.assert_array_equal(tc.locate(tc.Polygon(twice), [(2, 2), (0, 1), (0.5, 0.5)]), [0, 1, 2])
+        locations = tc.locate(tc.Polygon(twice), [(2, 2), (0, 1), (0.5, 0.5)])
+        np.testing.assert_array_equal(locations, [0, 1, 2])
+        for i, location in enumerate((tc.Location.OUTSIDE, tc.Location.BOUNDARY, tc.Location.INSIDE)):
+            np.testing.assert_array_equal(locations == location, np.arange(3) == i)
+            np.testing.assert_array_equal(locations != location, np.arange(3) != i)
+            self.assertEqual((location == i, i == location, location == i + 1), (True, True, False))
+        self.assertTrue((locations >= tc.Location.BOUNDARY).tolist() == [False, True, True])
 
     def test_measures(self):
         shape = tc.Polygon([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)])
@@ -73,6 +79,11 @@ class Polygons(unittest.TestCase):
         self.assertEqual(region.vertex_count, 4)
         self.assertEqual(tc.locate(region, (1.75, 2.25)), tc.Location.INSIDE)
         self.assertIsNone(tc.outline(np.zeros((2, 2))))
+        for occupied in (0.9, 256, -256, 1e-300, 1e300, np.nan, np.inf, -1, 1j, True, np.uint64(2**63)):
+            for cells in ([[occupied, 0]], np.array([[occupied, 0]])):
+                self.assertEqual(tc.outline(cells).area, 1, occupied)
+        with self.assertRaisesRegex(ValueError, "cells"):
+            tc.outline([1, 0])
         with tempfile.TemporaryDirectory() as folder:
             with open(folder + "/m.pgm", "w") as file:
                 file.write("P2 2 1 255 0 254")
@@ -82,6 +93,7 @@ class Polygons(unittest.TestCase):
             np.testing.assert_array_equal(read, [[100, 0]])
             self.assertEqual(resolution, 0.5)
             np.testing.assert_array_equal(pose, matrix(1, 2, 0))
+            self.assertIs(tc.collide(tc.outline(read, resolution), pose, tc.point((1.2, 2.2)), ORIGIN), True)
             with self.assertRaisesRegex(RuntimeError, "none.yaml"):
                 tc.read_occupancy_map(folder + "/none.yaml")
 
@@ -378,6 +390,26 @@ class Scenes(unittest.TestCase):
         self.assertIs(self.scene.collides(SQUARE, (2.5, 0, 0)), True)
         self.assertIs(self.scene.collides(SQUARE, (2.5, 0, 0), touching=tc.Touching.ALLOWED), False)
         self.assertEqual(self.scene.colliding(SQUARE, (2.5, 0, 0), touching=tc.Touching.ALLOWED), [])
+
+    def test_a_body_is_no_mask(self):
+        scene, way = self.scene, tc.Motion.still(ORIGIN)
+        for body in (self.near, self.far):  # the first one is 0, which as a mask selects nothing
+            self.assertEqual((body, type(body)), (int(body), tc.Body))
+            for query in (lambda: scene.collides(SQUARE, ORIGIN, mask=body), lambda: scene.colliding(SQUARE, ORIGIN, mask=body),
+                          lambda: scene.nearest(SQUARE, ORIGIN, body), lambda: scene.cast_ray((0, 0), (1, 1), mask=body),
+                          lambda: scene.first_impact(SQUARE, way, mask=body), lambda: scene.covers(SQUARE, ORIGIN, mask=body),
+                          lambda: scene.add(SQUARE, ORIGIN, mask=body), lambda: scene.add(SQUARE, ORIGIN, category=body),
+                          lambda: scene.set_options(self.near, mask=body),
+                          lambda: scene.cast_ray_all((0, 0), (1, 1), mask=body)):
+                with self.assertRaisesRegex(TypeError, "ignored="):
+                    query()
+        self.assertEqual(len(scene), 2)
+        self.assertIs(scene.collides(SQUARE, ORIGIN, mask=1), True)
+        self.assertIs(scene.collides(SQUARE, ORIGIN, ignored=int(self.near)), False)
+        scene.move(self.near, (4.5, 0, 0))
+        for bodies in (scene.bodies, scene.collisions()[0], scene.colliding(SQUARE, (4, 0, 0)), scene.began[0],
+                       scene.impacts([(self.near, way)], margin=9)[0][:2], scene.nearest(SQUARE, ORIGIN)[:1]):
+            self.assertEqual({type(body) for body in bodies}, {tc.Body})
 
     def test_trajectories(self):
         way = tc.Trajectory.through([0, 10, 20], [(0, 0, 0), (10, 0, 0), (0, 0, 0)])

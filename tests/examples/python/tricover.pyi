@@ -7,6 +7,7 @@ Where one of two poses is one and the other many, the one is used for all. Many 
 for all processors, while other Python threads run; errors name the pose. Lengths are the world's. Wrong arguments raise
 ValueError, edges and bodies that aren't there IndexError. The C++ reference says more of each function.
 """
+from enum import IntEnum
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
@@ -22,10 +23,11 @@ class FillRule:
     EVEN_ODD: FillRule
     NON_ZERO: FillRule
 
-class Location:
-    OUTSIDE: Location
-    BOUNDARY: Location
-    INSIDE: Location
+class Location(IntEnum):
+    """An int, which the arrays of locate() compare with."""
+    OUTSIDE = 0
+    BOUNDARY = 1
+    INSIDE = 2
 
 class ContactDetail:
     """What of a contact is worked out: each costs more than the one before."""
@@ -98,10 +100,12 @@ def box(width: float, height: float) -> Polygon:
     """The rectangle around the origin of its frame."""
 
 def outline(cells: ArrayLike, resolution: float = 1.0, origin: ArrayLike = (0, 0)) -> Optional[Polygon]:
-    """The cells (height, width) that aren't 0, the lowest row first, as one polygon with holes; None without any."""
+    """The cells (height, width) that aren't 0, the lowest row first, as one polygon with holes; None without any. Of any
+    numbers: 0.9 isn't 0, nor is NaN."""
 
 def read_occupancy_map(yaml: str) -> Tuple[NDArray[np.int8], float, Poses]:
-    """Reads a map of ROS's map_server: cells, resolution, and the pose of its frame."""
+    """Reads a map of ROS's map_server: cells, resolution, and the pose of its frame, at which outline(cells, resolution) lies
+    in the world."""
 
 class Motion:
     """A planar rigid motion from time 0 to time 1."""
@@ -256,6 +260,9 @@ def cast_ray_all(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_po
 def locate(polygon: Polygon, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]:
     """Of one point (2,) in the polygon's frame a Location, of many (n, 2) the numbers of theirs: 0, 1, 2."""
 
+class Body(int):
+    """A handle of a Scene's body. An int is as good wherever a body is wanted; where a mask is, a Body is a TypeError."""
+
 class Scene:
     """Many polygons under poses of their own, and what collides among them. `mask` asks for bodies with a category of
     its bits, `ignored` for all but that body."""
@@ -265,21 +272,21 @@ class Scene:
     def __len__(self) -> int: ...
     def __contains__(self, body: int) -> bool: ...
     def add(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, category: int = 1,
-            mask: int = 0xFFFFFFFF, touching: Touching = Touching.COLLIDES) -> int: ...
+            mask: int = 0xFFFFFFFF, touching: Touching = Touching.COLLIDES) -> Body: ...
     def set_options(self, body: int, margin: float = 0.0, category: int = 1, mask: int = 0xFFFFFFFF,
                     touching: Touching = Touching.COLLIDES) -> None: ...
     def options(self, body: int) -> BodyOptions: ...
     def remove(self, body: int) -> None: ...
     def move(self, body: int, pose: PosesLike) -> None: ...
     @property
-    def bodies(self) -> List[int]: ...
+    def bodies(self) -> List[Body]: ...
     def polygon(self, body: int) -> Polygon: ...
     def pose(self, body: int) -> Poses: ...
-    def collisions(self, threads: int = 1) -> List[Tuple[int, int]]: ...
+    def collisions(self, threads: int = 1) -> List[Tuple[Body, Body]]: ...
     @property
-    def began(self) -> List[Tuple[int, int]]: ...
+    def began(self) -> List[Tuple[Body, Body]]: ...
     @property
-    def ended(self) -> List[Tuple[int, int]]: ...
+    def ended(self) -> List[Tuple[Body, Body]]: ...
     def collides(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
                  mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                  touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]: ...
@@ -287,23 +294,23 @@ class Scene:
                ignored: Optional[int] = None) -> bool:
         """Whether the union of the bodies holds all of it."""
     def colliding(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
-                  ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES) -> List[int]: ...
+                  ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES) -> List[Body]: ...
     def nearest(self, polygon: Polygon, pose: PosesLike, mask: int = 0xFFFFFFFF,
-                ignored: Optional[int] = None) -> Optional[Tuple[int, Distance]]: ...
+                ignored: Optional[int] = None) -> Optional[Tuple[Body, Distance]]: ...
     def first_impact(self, polygon: Polygon, motion: Union[Motion, Trajectory], margin: float = 0.0,
                      time_error: float = 1e-6, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                      ignore_initial: bool = False,
-                     absent_outside: bool = False) -> Optional[Tuple[int, Impact]]: ...
+                     absent_outside: bool = False) -> Optional[Tuple[Body, Impact]]: ...
     def impacts(self, motions: Sequence[Tuple[int, Way]], margin: float = 0.0, time_error: float = 1e-6,
                 ignore_initial: bool = False, absent_outside: bool = False,
-                threads: int = 0) -> List[Tuple[int, int, Impact]]:
+                threads: int = 0) -> List[Tuple[Body, Body, Impact]]:
         """Of motions, or of trajectories."""
     def conflicts(self, trajectories: Sequence[Tuple[int, Trajectory]], margin: float = 0.0, time_error: float = 1e-6,
                   ignore_initial: bool = False, absent_outside: bool = False,
-                  threads: int = 0) -> List[Tuple[int, int, Conflict]]:
+                  threads: int = 0) -> List[Tuple[Body, Body, Conflict]]:
         """All spans of time in which any two meet."""
     def cast_ray(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
-                 ignored: Optional[int] = None) -> Optional[Tuple[int, RayHit]]: ...
+                 ignored: Optional[int] = None) -> Optional[Tuple[Body, RayHit]]: ...
     def cast_ray_all(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
-                     ignored: Optional[int] = None) -> List[Tuple[int, RayInterval]]:
+                     ignored: Optional[int] = None) -> List[Tuple[Body, RayInterval]]:
         """All of a ray that is in a body, in the order in which the ray enters."""
