@@ -63,7 +63,8 @@ std::vector<bool> bordersOf(const PolygonData& given, const std::vector<Piece>& 
     borders.push_back(beside.isBorder());
     if (!beside.isBorder() || !beside.isSeam()) continue;
     const std::size_t ring = given.ringOf(piece.edge);
-    refuse("rings: ring " + std::to_string(ring) + ", vertex " + std::to_string(piece.edge - given.edgeBegin(ring)),
+    refuse("rings: ring " + std::to_string(ring) + ", vertex " +
+               std::to_string(given.edgeNumber(piece.edge) - given.firstNumber(ring)),
            "the edge from there is partly inside of the region, from a crossing on that is no vertex",
            "make a union of the rings before complement(), with vertices at their crossings");
   }
