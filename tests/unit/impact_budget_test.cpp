@@ -6,6 +6,7 @@
 
 #include "shapes.h"
 #include "tricover/conflicts.h"
+#include "tricover/segment.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
