@@ -40,8 +40,9 @@ MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon&
   return pair;
 }
 
-/// Contacts of each edge take some steps, in each radian.
+/// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much.
 int stepsAlongContacts(const MovingPair& pair) {
+  if (!pair.isInRange()) return 1 << 5;
   const double edges = static_cast<double>(pair.a.polygon->path.size() + pair.b.polygon->path.size());
   const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
   return static_cast<int>(std::min((0x1p10 + 16 * edges) * (1 + radians), 0x1p21));

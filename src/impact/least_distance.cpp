@@ -36,8 +36,12 @@ class LeastOnWay {
     for (int i = 0; i <= kSamples; ++i) look(i < kSamples ? begin_ + (end_ - begin_) * i / kSamples : end_);
     descend();
     double lower = 0;
-    // The first step asks whether they meet, whatever the error. Halving takes all of the range of doubles at most.
-    for (int step = 0; step < 4400 && least_.distance - lower > (step == 0 ? 0 : options_.error); ++step) {
+    // The first step asks whether they meet, whatever the error. Sixty halvings are all bits of a distance.
+    for (int step = 0; least_.distance - lower > (step == 0 ? 0 : options_.error); ++step) {
+      if (step == kMostSteps) {
+        least_.budget_ended = true;
+        break;
+      }
       const double before = least_.distance, half = lower + 0.5 * (std::min(before, kLargest) - lower);
       const bool is_guess = step % 2 == 1 && before - 0.5 * options_.error > half;
       const double margin = step == 0 ? 0 : is_guess ? before - 0.5 * options_.error : half;
@@ -63,14 +67,15 @@ class LeastOnWay {
   }
 
  private:
-  static constexpr int kSamples = 8;
+  static constexpr int kSamples = 8, kMostSteps = 160;
 
   /// The distance at a time; the least that is known may be there.
   double distanceAt(double time) {
     const DistanceResult at = distance(a_, path_a_.at(time), b_, path_b_.at(time));
     const double left = std::max(at.distance - options_.margin, 0.0);
-    if (time == begin_ || left < least_.distance)
+    if (!is_known_ || left < least_.distance)
       least_ = {left, 0, time, at.point_a, at.point_b, at.edge_a, at.edge_b, false};
+    is_known_ = true;
     return left;
   }
   bool look(double time) {
@@ -81,9 +86,8 @@ class LeastOnWay {
   /// From the time of the least distance that is known to where it is least nearby. Where neither side is nearer, it is
   /// likely a parabola in time between them.
   void descend() {
-    constexpr int kMostSteps = 40;
     double step = 0.5 * (end_ - begin_) / kSamples;
-    for (int i = 0; i < kMostSteps && least_.distance > 0; ++i) {
+    for (; descents_left_ > 0 && least_.distance > 0; --descents_left_) {
       const double time = least_.time, here = least_.distance;
       const double before = std::max(time - step, begin_), after = std::min(time + step, end_);
       const double left = distanceAt(before), right = distanceAt(after), bend = left - here + (right - here);
@@ -92,7 +96,8 @@ class LeastOnWay {
         step *= 0.125;
         continue;
       }
-      if (bend > 0) look(time + 0.5 * step * (left - right) / bend);
+      const double beside = 0.5 * step * (left - right) / bend;
+      if (bend > 0 && std::abs(beside) < step) look(time + beside);
       if (bend <= options_.error * 0x1p-6) break;
       step *= 0.125;
     }
@@ -102,6 +107,8 @@ class LeastOnWay {
   const Path &path_a_, &path_b_;
   const double begin_, end_;
   const LeastDistanceOptions& options_;
+  bool is_known_ = false;
+  int descents_left_ = 40;  ///< steps of descend(): some ten lead to a minimum
   LeastDistance least_{kLargest, 0, 0, Vec2::Zero(), Vec2::Zero(), -1, -1, false};
 };
 
