@@ -87,15 +87,12 @@ class LeastOnWay {
   /// likely a parabola in time between them.
   void descend() {
     double step = 0.5 * (end_ - begin_) / kSamples;
-    for (; descents_left_ > 0 && least_.distance > 0; --descents_left_) {
+    for (; descents_left_ > 0 && least_.distance > 0 && step > 0x1p-44 * (end_ - begin_); --descents_left_) {
       const double time = least_.time, here = least_.distance;
       const double before = std::max(time - step, begin_), after = std::min(time + step, end_);
       const double left = distanceAt(before), right = distanceAt(after), bend = left - here + (right - here);
       if (least_.time != time) continue;
-      if (!(before < time && time < after)) {
-        step *= 0.125;
-        continue;
-      }
+      if (!(before < time && time < after)) break;  // it is least at an end, or the step is rounding
       const double beside = 0.5 * step * (left - right) / bend;
       if (bend > 0 && std::abs(beside) < step) look(time + beside);
       if (bend <= options_.error * 0x1p-6) break;
@@ -108,7 +105,7 @@ class LeastOnWay {
   const double begin_, end_;
   const LeastDistanceOptions& options_;
   bool is_known_ = false;
-  int descents_left_ = 40;  ///< steps of descend(): some ten lead to a minimum
+  int descents_left_ = 24;  ///< steps of descend(): some ten lead to a minimum
   LeastDistance least_{kLargest, 0, 0, Vec2::Zero(), Vec2::Zero(), -1, -1, false};
 };
 
