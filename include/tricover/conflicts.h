@@ -31,11 +31,11 @@ struct Conflict {
 /// Intervals are in order and don't overlap. Contact that lasts is proven by the features in contact: an interval costs
 /// some tens of collide()s, whatever `time_error` is.
 ///
-/// The search has a budget: that of each timeOfImpact(), and 2^21 steps along contacts, for contrived inputs. If one of
-/// these ends, the last interval reaches to 1 and has `budget_ended` set. `ignore_initial` doesn't leave such an
-/// interval out. With a negative margin there are 2^14 steps, each as long as the overlap stays as deep by its depth
-/// and the speed, or half a `time_error`: enough but for an overlap that stays exactly as deep as is allowed, of
-/// polygons that are not convex or rotate.
+/// The search has a budget: that of each timeOfImpact(), and some steps along contacts for each edge, and each radian
+/// that the polygons rotate by. If one of these ends, the last interval reaches to 1 and has `budget_ended` set.
+/// `ignore_initial` doesn't leave such an interval out. With a negative margin there are 2^14 steps, each as long as the
+/// overlap stays as deep by its depth and the speed, or half a `time_error`: enough but for an overlap that stays
+/// exactly as deep as is allowed, of polygons that are not convex or rotate.
 ///
 /// A `time_error` below 1e-9 is taken for that.
 ///

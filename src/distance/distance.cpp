@@ -20,7 +20,7 @@ EdgeIndex edgeOfGiven(const PolygonData& polygon, const PolygonData& corners, co
                       EdgeIndex edge) {
   if (&corners == &polygon || edge < 0) return edge;
   const Vec2 in_frame = pose.linear().inverse() * (0.25 * point - 0.25 * pose.translation()) * 4;
-  return static_cast<EdgeIndex>(edgeOfPath(polygon, static_cast<std::size_t>(edge), in_frame));
+  return edgeOfPath(polygon, static_cast<std::size_t>(edge), in_frame);
 }
 
 /// Where one isn't convex or has straight vertices; by the corners alone of what is convex.

@@ -40,6 +40,14 @@ MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon&
   return pair;
 }
 
+/// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much.
+int stepsAlongContacts(const MovingPair& pair) {
+  if (!pair.isInRange()) return 1 << 5;
+  const double edges = static_cast<double>(pair.a.polygon->path.size() + pair.b.polygon->path.size());
+  const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
+  return static_cast<int>(std::min((0x1p10 + 16 * edges) * (1 + radians), 0x1p21));
+}
+
 }  // namespace
 
 MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
@@ -53,7 +61,7 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       seen_(0.5 * std::max(options.time_error, 1e-9)),
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ < 0 ? margin_ + 2 * precision_ : margin_ + precision_),
-      steps_left_(margin_ < 0 ? 1 << 14 : 1 << 21),
+      steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),
       speed_(mostSpeed(pair_)) {
   depth_.first = -1;
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;

@@ -170,6 +170,9 @@ double MovingPair::divideByLength() {
     mover->arm *= inverse;
     mover->reach *= inverse;
     mover->scale *= inverse;
+    // The smallest polygons, and points, are smaller than rounding by far.
+    mover->view = std::max(mover->scale, 0x1p-200);
+    mover->in_view = mover->scale / mover->view;
   }
   margin *= inverse;
   return inverse;

@@ -91,11 +91,11 @@ struct Mover {
     return stretched == 0 ? at : Vec2(stretch * at);
   }
   Vec2 vertex(std::size_t position) const { return scale * inUnits(position); }
+  /// The same in the unit that squares don't overflow in.
+  Vec2 inView(std::size_t position) const { return in_view * inUnits(position); }
   MovingEdge ends(const Places& places, int lane, std::size_t position) const {
     return {places, lane, vertex(position), vertex(position + 1)};
   }
-  /// Whether it fits its unit, and squares don't overflow.
-  bool isInRange() const { return polygon->fitsUnit() && (polygon->isPoint() || scale > 0x1p-200); }
 
   const PolygonData* polygon;       ///< once MovingPair::prepare() was called by its corners alone, if it is convex
   const PolygonData* given;         ///< as it was given
@@ -110,6 +110,7 @@ struct Mover {
   Vec2 arm;                         ///< from the pivot to S, at time 0
   Cubic<double> rotation;           ///< radians
   double scale, reach;              ///< a unit; no point is farther from the pivot
+  double view, in_view;             ///< the unit that edges are looked from, which is not too small; a unit in that
   bool rotates = false;             ///< it does, at all
   bool is_straight = false;         ///< neither rotation nor path is bent
 };
@@ -143,8 +144,8 @@ struct MovingPair {
   /// Whether no direction changes, nor any velocity.
   bool slides() const { return is_steady && !a.rotates && !b.rotates; }
 
-  /// Whether paths may be followed in doubles. A point b has no lengths.
-  bool isInRange() const { return error < 1 && a.isInRange() && (b.polygon->isPoint() || b.isInRange()); }
+  /// Whether paths may be followed in doubles. Either may be a speck.
+  bool isInRange() const { return error < 1 && a.polygon->fitsUnit() && b.polygon->fitsUnit(); }
 
   Rates rates(double begin, double end) const { return is_steady ? steady : ratesOf(begin, end); }
   Rates ratesOf(double begin, double end) const;

@@ -16,9 +16,9 @@ inline void checkOptions(const ImpactOptions& options) {
   requireFiniteMargin(options.margin, "margin");
 }
 
-/// The options for a motion over an interval of that length, as time from 0 to 1.
+/// The options for a motion over an interval of that length, which may be 0, as time from 0 to 1.
 inline ImpactOptions optionsWithin(const ImpactOptions& options, double length) {
-  return {options.margin, std::min(options.time_error / length, 1.0), false};
+  return {options.margin, std::min(1.0, options.time_error / length), false};
 }
 
 /// When such a motion comes to a time, rounded down where it is rounded: an impact is told no later than it is.

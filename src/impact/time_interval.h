@@ -51,7 +51,14 @@ struct CutSide {
     const double root = std::sqrt(std::max(slope * slope - 4 * chord_error * from, 0.0));
     return std::min(2 * from / (slope + root), 1.0);
   }
-  double aim() const { return from / (from - to); }
+  /// Contact is likely there. Where paths bend by as much as the gap closes, a straight line tells little. The aim is
+  /// then no nearer than where they bend by a share of the gap: a gap that is least in the interval is passed in few
+  /// steps.
+  double aim() const {
+    constexpr double kDoubt = 0x1p-3, kBent = 0.375;
+    const double straight = from / (from - to);
+    return chord_error > kDoubt * (from - to) ? std::max(straight, kBent * std::sqrt(from / chord_error)) : straight;
+  }
 };
 
 // How far paths bend in an interval. Say that along an axis no distance n . (p_b - p_a) of two points, as a function of

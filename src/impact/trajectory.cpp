@@ -41,7 +41,7 @@ std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, 
 }
 
 /// visit(motion of a, motion of b, begin, end), in order, between all times at which a leg of either one ends, while
-/// both bodies are there, until it returns false.
+/// both bodies are there, until it returns false. Bodies that are there together for an instant stand still in it.
 template <typename Visit>
 void forEachInterval(const detail::TimedBody& a, const detail::TimedBody& b, Visit visit) {
   std::vector<double> times;
@@ -53,6 +53,10 @@ void forEachInterval(const detail::TimedBody& a, const detail::TimedBody& b, Vis
     if (!body->absent_outside) continue;
     begin = std::max(begin, body->trajectory.begin());
     end = std::min(end, body->trajectory.end());
+  }
+  if (begin == end) {
+    visit(Motion::still(a.trajectory.at(begin)), Motion::still(b.trajectory.at(begin)), begin, end);
+    return;
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -86,7 +86,7 @@ struct SmallVertices {
 
  private:
   void addVertex(const Mover& mover, std::size_t at, std::size_t edge_position) {
-    vertex[count] = mover.inUnits(at);
+    vertex[count] = mover.inView(at);
     position[count++] = edge_position;
   }
   void addRing(const Mover& mover, std::size_t ring) {
@@ -220,7 +220,10 @@ bool haveFewVertices(const MovingPair& pair) {
   const auto areFew = [](const PolygonData& polygon) {
     return polygon.path.size() - polygon.ringCount() <= static_cast<std::size_t>(kMost) && !polygon.isPoint();
   };
-  return pair.isInRange() && (pair.b.polygon->isPoint() || (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
+  // A ray beside a speck's tree would be too far away for floats.
+  const bool is_in_view = pair.a.in_view == 1 || pair.a.polygon->isDegenerate();
+  return pair.isInRange() &&
+         (pair.b.polygon->isPoint() ? is_in_view : (areFew(*pair.a.polygon) && areFew(*pair.b.polygon)));
 }
 
 FirstContact followVertices(const MovingPair& pair, double begin, double time_error) {

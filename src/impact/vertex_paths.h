@@ -25,7 +25,7 @@ struct EdgeInUnits {
     if (square > 0x1p-900) ux = dx / length, uy = dy / length;
   }
   EdgeInUnits(const Mover& mover, std::size_t position)
-      : EdgeInUnits(mover.inUnits(position), mover.inUnits(position + 1)) {}
+      : EdgeInUnits(mover.inView(position), mover.inView(position + 1)) {}
 
   double half() const { return 0.5 * length; }
   /// A path across its line and along it, from its middle.
@@ -69,9 +69,9 @@ class VertexView {
         of_b_(of_b) {
     const MovingPair& pair = interval.pair;
     const Places &p = of_b ? interval.a : interval.b, &q = of_b ? interval.b : interval.a;
-    unit_ = from_.polygon->isPoint() ? 1 : from_.scale;  // a point has no units
+    unit_ = from_.view;
     inverse_ = 1 / unit_;
-    scale_ = (of_b ? pair.b : pair.a).scale * inverse_;
+    scale_ = (of_b ? pair.b : pair.a).view * inverse_;
     seen_ = p.seen(q, inverse_);
     rounding_ = 2 * pair.error * inverse_;
     limit_ = (pair.margin + 2 * pair.error) * inverse_;
@@ -216,7 +216,7 @@ class VertexView {
 
 /// How far a vertex, in units, is from its polygon's pivot, at the most; in the pair's length.
 inline double leverOf(const Mover& mover, const Vec2& vertex) {
-  const Vec2 lever = mover.arm + mover.scale * (mover.linear * vertex);
+  const Vec2 lever = mover.arm + mover.view * (mover.linear * vertex);
   return lengthAbove(lever.x(), lever.y());
 }
 
@@ -229,7 +229,7 @@ bool anyEndBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t 
     const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
     const EdgeInUnits edge(from, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
-      const Vec2 vertex = of.inUnits(own + end);
+      const Vec2 vertex = of.inView(own + end);
       if (visit(view, view.pathOf(vertex, leverOf(of, vertex)), edge, end)) return true;
     }
   }

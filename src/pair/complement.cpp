@@ -89,7 +89,8 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
     }
     const std::size_t ring = given.ringOf(piece.edge);
     if (!rounded)
-      refuse("rings: ring " + std::to_string(ring) + ", vertex " + std::to_string(piece.edge - given.edgeBegin(ring)),
+      refuse("rings: ring " + std::to_string(ring) + ", vertex " + 
+                 std::to_string(given.edgeNumber(piece.edge) - given.firstNumber(ring)),
              "the edge from there is partly inside of the region, from a crossing on that is no vertex",
              "make a union of the rings before complement(), with vertices at their crossings");
     const Vec2 v(piece.v.data()), w(piece.w.data());

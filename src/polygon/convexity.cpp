@@ -123,15 +123,15 @@ std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_
   return after(low);
 }
 
-std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p) {
+EdgeIndex edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p) {
   const std::vector<std::size_t>& corners = convexityOf(polygon).corners;
-  return polygon.namedEdge(edgeBeside(polygon, corners[k], corners[k + 1 < corners.size() ? k + 1 : 0], p));
+  return polygon.edgeName(edgeBeside(polygon, corners[k], corners[k + 1 < corners.size() ? k + 1 : 0], p));
 }
 
 EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, std::size_t position, double part) {
   if (&given == &taken) return given.edgeName(position);
   const Vec2 point = (1 - part) * taken.path[position] + part * taken.path[position + 1];
-  return static_cast<EdgeIndex>(edgeOfPath(given, position, point));
+  return edgeOfPath(given, position, point);
 }
 
 }  // namespace tricover::detail

@@ -45,8 +45,8 @@ inline const PolygonData* cornersOf(const PolygonData& polygon) {
 /// Returns the edge beside p. The edges between the two positions in a ring's path are on a line.
 std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
 
-/// Returns the edge of a convex polygon's path, one with a length, that lies on edge k of cornersOf() beside p.
-std::size_t edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
+/// Returns the number of the edge of a convex polygon, one with a length, that lies on edge k of cornersOf() beside p.
+EdgeIndex edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
 /// `taken` is the given polygon or its corners alone. Returns the number of the given polygon's edge that lies on the
 /// taken one's edge, at a part of that from its start (0) to its end (1).

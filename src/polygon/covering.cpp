@@ -64,14 +64,12 @@ Inclusion CoveringSum::result() const {
 namespace tricover::paper {
 
 std::vector<CoveringTriangle> covering(const Polygon& polygon) {
-  const detail::PolygonData& data = polygon.data();
   std::vector<CoveringTriangle> triangles;
   triangles.reserve(polygon.vertexCount());
-  for (std::size_t r = 0; r < data.ringCount(); ++r)
-    for (std::size_t e = data.edgeBegin(r); e < data.edgeEnd(r); ++e) {
-      const Vec2 &v = data.path[e], &w = data.path[e + 1];
-      triangles.push_back({data.origin, v, w, detail::orientation(data.origin, v, w)});
-    }
+  for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
+    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+    triangles.push_back({s, v, w, detail::orientation(s, v, w)});
+  }
   return triangles;
 }
 

@@ -72,14 +72,13 @@ bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, const Vec2& point, 
 
 std::vector<std::uint64_t> influenceMask(const Polygon& polygon, const Vec2& point, double length) {
   check(point, length);
-  const detail::PolygonData& data = polygon.data();
   std::vector<std::uint64_t> mask((polygon.vertexCount() + 63) / 64, 0);
   const detail::ApproxPoint p{point.x(), point.y(), 0};
-  std::size_t number = 0;
-  for (std::size_t r = 0; r < data.ringCount(); ++r)
-    for (std::size_t e = data.edgeBegin(r); e < data.edgeEnd(r); ++e, ++number)
-      if (detail::inBoundedArea(data.path[e], data.path[e + 1], p, length))
-        mask[number / 64] |= std::uint64_t{1} << number % 64;
+  for (std::size_t number = 0; number < polygon.vertexCount(); ++number) {
+    const auto edge = static_cast<EdgeIndex>(number);
+    if (detail::inBoundedArea(polygon.edgeStart(edge), polygon.edgeEnd(edge), p, length))
+      mask[number / 64] |= std::uint64_t{1} << number % 64;
+  }
   return mask;
 }
 

@@ -28,21 +28,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string nameOf(std::size_t ring) { return "rings: ring " + std::to_string(ring); }
 
-/// In the path. Throws for rings that are no polygon's.
-std::size_t positionsOf(const RingsView& rings) {
-  if (rings.size() == 0) refuse("rings", "a polygon needs at least one ring");
-  std::size_t positions = 0;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const auto [vertices, size] = rings[r];
-    if (size < 3)
-      refuse(nameOf(r), "it has " + std::to_string(size) + " vertices", "it needs at least 3, which may be equal ones");
-    if (vertices == nullptr) refuse(nameOf(r), "its vertices are at no address");
-    positions += std::min(size, kMostPositions) + 1;
-  }
-  requireCapacity(positions);
-  return positions;
-}
-
 /// Names the first vertex that isn't.
 void refuseNotFinite(const RingsView& rings) {
   for (std::size_t r = 0; r < rings.size(); ++r)
@@ -170,77 +155,22 @@ std::uint8_t degenerateEdgeOf(const Path& path) {
   return path[0] == path[1] ? 1 : PolygonData::kNotDegenerate;
 }
 
-/// Out of line, which keeps the check of an edge's number short.
-[[noreturn, gnu::cold]] void refuseEdge(EdgeIndex number, std::size_t count) {
-  throw std::out_of_range(refusal(
-      "edge",
-      std::to_string(number) + (number < 0 ? " is no edge" : " is beyond the last one, " + std::to_string(count - 1))));
-}
-
 struct GivenRings : Derived::Thing {
   explicit GivenRings(const PolygonData& polygon) {
     all.reserve(polygon.ringCount());
     for (std::size_t r = 0; r < polygon.ringCount(); ++r) all.push_back(polygon.vertices(r));
+  }
+  explicit GivenRings(const RingsView& rings) {
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      all.emplace_back(rings[r].vertices, rings[r].vertices + rings[r].size);
   }
   std::vector<Ring> all;
 };
 
 }  // namespace
 
-void requireCapacity(std::size_t positions) {
-  if (positions > kMostPositions)
-    throw std::length_error(
-        refusal("rings", "more than 2^29 vertices, one more counted for each ring", "divide the polygon"));
-}
-
-PolygonData* PolygonData::make(const RingsView& rings, const Fill& fill) {
-  if (fill.rule != FillRule::EvenOdd && fill.rule != FillRule::NonZero) refuse("fill", "not a FillRule");
-  const std::size_t total = positionsOf(rings);
-  static_assert(sizeof(PolygonData) % alignof(Vec2) == 0 && alignof(PolygonData) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
-  const std::size_t of_path = total * sizeof(Vec2) + (rings.size() + 1) * sizeof(std::uint32_t);
-  auto* const memory = static_cast<std::byte*>(::operator new(sizeof(PolygonData) + of_path));
-  auto* const vertices = reinterpret_cast<Vec2*>(memory + sizeof(PolygonData));
-  auto* ring_begin = reinterpret_cast<std::uint32_t*>(vertices + total);
-  Vec2* end = vertices;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const RingView ring = rings[r];
-    *ring_begin++ = static_cast<std::uint32_t>(end - vertices);
-    std::memcpy(static_cast<void*>(end), ring.vertices, ring.size * sizeof(Vec2));
-    end += ring.size;
-    new (end++) Vec2(*ring.vertices);
-  }
-  *ring_begin = static_cast<std::uint32_t>(total);
-  try {
-    return new (memory) PolygonData(rings, total, fill);
-  } catch (...) {
-    ::operator delete(memory);
-    throw;
-  }
-}
-
-const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positions) const {
-  Ring ring;
-  ring.reserve(positions.size());
-  for (const std::size_t position : positions) ring.push_back(path[position]);
-  PolygonData* reduced = make(RingsView({ring.data(), ring.size()}), fill);
-  reduced->origin = origin;
-  reduced->radius = radius;
-  reduced->reach = reach;
-  reduced->extent = extent;
-  reduced->unit = unit;
-  reduced->inverse_unit = inverse_unit;
-  return reduced;
-}
-
-void PolygonData::release() const {
-  if (users.fetch_sub(1, std::memory_order_acq_rel) > 1) return;
-  auto* const memory = const_cast<PolygonData*>(this);
-  memory->~PolygonData();
-  ::operator delete(memory);
-}
-
-PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const Fill& fill_)
-    : id(nextId()), fill(fill_), path(positions, rings_.size()) {
+PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const Fill& fill_, bool has_repeats_)
+    : id(nextId()), fill(fill_), has_repeats(has_repeats_), path(positions, rings_.size()) {
   static_assert(offsetof(PolygonData, path) + sizeof(Path) == sizeof(PolygonData));
   const Extremes extremes(path);
   if (!extremes.are_plain) refuseNotFinite(rings_);
@@ -257,39 +187,7 @@ PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const F
                                                                    : 1020;
   unit = powerOfTwo(exponent);
   inverse_unit = powerOfTwo(-exponent);
-}
-
-std::size_t PolygonData::ringOf(std::size_t position) const {
-  // Halves, without branches: which one it is can't be predicted.
-  const std::uint32_t* begin = path.ringBegin();
-  for (std::size_t count = ringCount(); count > 1;) {
-    const std::size_t half = count / 2;
-    begin += begin[half] <= position ? half : 0;
-    count -= half;
-  }
-  return static_cast<std::size_t>(begin - path.ringBegin());
-}
-
-std::size_t PolygonData::edgePosition(std::size_t number) const {
-  std::size_t low = 0, high = ringCount();
-  while (high - low > 1) {
-    const std::size_t mid = (low + high) / 2;
-    (edgeBegin(mid) - mid <= number ? low : high) = mid;
-  }
-  return number + low;
-}
-
-std::size_t PolygonData::nextWithLength(std::size_t position) const {
-  const std::size_t ring = ringOf(position), begin = edgeBegin(ring), end = edgeEnd(ring);
-  for (std::size_t e = position + 1 < end ? position + 1 : begin; e != position; e = e + 1 < end ? e + 1 : begin)
-    if (path[e] != path[e + 1]) return e;
-  return position;
-}
-
-std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
-  const std::size_t count = path.size() - ringCount();
-  if (static_cast<std::size_t>(number) >= count) refuseEdge(number, count);
-  return edgePosition(static_cast<std::size_t>(number));
+  if (has_repeats) rings.made<GivenRings>(rings_);
 }
 
 }  // namespace detail
@@ -315,12 +213,16 @@ const std::vector<Ring>& Polygon::rings() const { return data_->rings.made<detai
 FillRule Polygon::fillRule() const { return data_->fill.rule; }
 bool Polygon::isComplement() const { return data_->fill.is_complement; }
 std::uint64_t Polygon::id() const { return data_->id; }
-std::size_t Polygon::vertexCount() const { return data_->path.size() - data_->ringCount(); }
+std::size_t Polygon::vertexCount() const { return data_->edgeCount(); }
 const Vec2& Polygon::origin() const { return data_->origin; }
 double Polygon::radius() const { return data_->reach; }
 
 Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
-Vec2 Polygon::edgeEnd(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge) + 1]; }
+Vec2 Polygon::edgeEnd(EdgeIndex edge) const {
+  const std::size_t position = data_->checkedEdgePosition(edge);
+  const bool is_repeat = data_->edgeNumber(position) != static_cast<std::size_t>(edge);
+  return data_->path[is_repeat ? position : position + 1];
+}
 
 namespace {
 
@@ -351,7 +253,8 @@ Polygon Polygon::mapped(const Map& map) const {
   std::vector<Ring> rings;
   rings.reserve(data_->ringCount());
   for (std::size_t r = 0; r < data_->ringCount(); ++r)
-    for (Vec2& vertex : rings.emplace_back(data_->vertices(r))) vertex = map(vertex);
+    for (Vec2& vertex : rings.emplace_back(data_->has_repeats ? this->rings()[r] : data_->vertices(r)))
+      vertex = map(vertex);
   return withRings(rings);
 }
 

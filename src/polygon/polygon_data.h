@@ -18,7 +18,7 @@ constexpr std::size_t kMostPositions = std::size_t{1} << 29;
 void requireCapacity(std::size_t positions);
 
 /// Rings one after another, each closed by a copy of its first vertex: those lie in memory right behind this head, and
-/// behind them where the rings begin and where the last one ends.
+/// behind them where the rings begin and where the last one ends, and the numbers of a polygon with repeats.
 class Path {
  public:
   Path(std::size_t size, std::size_t ring_count)
@@ -35,6 +35,8 @@ class Path {
 
   std::size_t ringCount() const { return ring_count_; }
   const std::uint32_t* ringBegin() const { return reinterpret_cast<const std::uint32_t*>(data() + size_); }
+  /// The public numbers of the edges by their positions, and at a closing vertex the last number of its ring.
+  const std::uint32_t* numbers() const { return ringBegin() + ring_count_ + 1; }
 
  private:
   std::uint32_t size_, ring_count_;
@@ -87,14 +89,23 @@ struct PolygonData {
   std::size_t edgeEnd(std::size_t ring) const { return path.ringBegin()[ring + 1] - std::size_t{1}; }
   /// The ring of a position.
   std::size_t ringOf(std::size_t position) const;
-  /// A ring as it was given.
+  /// A ring without its repeats.
   Ring vertices(std::size_t ring) const { return {path.begin() + edgeBegin(ring), path.begin() + edgeEnd(ring)}; }
 
-  /// Between positions in the path and the public numbering, which skips the closing vertices.
+  /// Between positions in the path and the public numbering, which skips the closing vertices and counts repeats. The
+  /// number of an edge that a repeat begins stands for the next edge of its ring that has a length.
   std::size_t edgeNumber(std::size_t position) const {
+    if (has_repeats) return path.numbers()[position];
     return ringCount() == 1 ? position : position - ringOf(position);
   }
   std::size_t edgePosition(std::size_t number) const;
+  std::size_t edgeCount() const {
+    return has_repeats ? path.numbers()[path.size() - 1] + std::size_t{1} : path.size() - ringCount();
+  }
+  /// The number of a ring's first edge.
+  std::size_t firstNumber(std::size_t ring) const {
+    return has_repeats && ring > 0 ? edgeNumber(edgeEnd(ring - 1)) + 1 : has_repeats ? 0 : edgeBegin(ring) - ring;
+  }
   /// The edge that results name for the one at a position: that edge, or, if it has no length, the next one of its ring
   /// that has, which starts at the same point. A ring without any such edge names the given one.
   std::size_t namedEdge(std::size_t position) const {
@@ -128,12 +139,15 @@ struct PolygonData {
   Derived hierarchy, discs;  ///< boxes around edges; discs in the region
   Derived convexity;         ///< whether it is convex, and its corners
   Derived starts;            ///< the starts of rings that containment tests
-  Derived rings;             ///< as they were given
+  Derived rings;             ///< as they were given; with repeats, from the start
   SkiRental<Stages::Hierarchy> hierarchy_rental;
   SkiRental<Stages::All> discs_rental;
   SkiRental<Stages::Paid> starts_rental;
   mutable std::atomic<std::uint32_t> users{1};
   Fill fill;
+  /// Whether a ring of more than three vertices was given with equal ones next to each other. The path has one of them,
+  /// and three where a ring has fewer: what repeats costs nothing.
+  bool has_repeats;
   bool is_point;  ///< whether it is a degenerate polygon whose edge has no length
   /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
   /// disc of. S is on it but for rounding, and on a point exactly. A complement is never degenerate.
@@ -142,7 +156,7 @@ struct PolygonData {
   alignas(8) Path path;  ///< the last member: its vertices lie behind
 
  private:
-  PolygonData(const RingsView& rings, std::size_t positions, const Fill& fill);
+  PolygonData(const RingsView& rings, std::size_t positions, const Fill& fill, bool has_repeats);
   std::size_t nextWithLength(std::size_t position) const;
 };
 

@@ -6,6 +6,7 @@
 
 #include "shapes.h"
 #include "tricover/conflicts.h"
+#include "tricover/segment.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -67,6 +68,26 @@ TEST(ImpactBudget, EndsWithConflictsThatStayUnknown) {
     EXPECT_FALSE(all[0].impact.budget_ended);
     EXPECT_EQ(all[0].impact.time, 0);
     EXPECT_EQ(all[0].end, 1);
+  }
+}
+
+/// A box leaves the hole that it fills: it stays in what is around it, however far it goes. And one of a size that is
+/// nothing beside its way slides along a wall.
+TEST(ImpactBudget, LastsForExtremeRatios) {
+  const Polygon hole = box(1, 1).complement();
+  for (const double far : {1e60, 1e100, 1e150, 1e300}) {
+    const std::vector<Conflict> all = conflicts(hole, kStill, box(1, 1), Motion::translation(pose(0, 0, 0), {0, far}));
+    ASSERT_EQ(all.size(), 1u) << far;
+    EXPECT_EQ(all[0].impact.time, 0);
+    EXPECT_EQ(all[0].end, 1);
+    EXPECT_FALSE(all[0].budget_ended) << far;
+  }
+  for (const double size : {1e-30, 1e-70, 1e-150, 1e-300}) {
+    const Polygon speck({{{0, 0}, {size, 0}, {size, size}, {0, size}}});
+    const auto all = conflicts(kSquare, kStill, speck, Motion::translation(pose(0, -2, 1), {8, 0}));
+    ASSERT_EQ(all.size(), 1u) << size;
+    EXPECT_NEAR(all[0].end, 0.375, 1e-6);
+    EXPECT_FALSE(all[0].budget_ended) << size;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -11,8 +12,10 @@
 
 #include "refusal.h"
 #include "shapes.h"
+#include "tricover/conflicts.h"
 #include "tricover/distance.h"
 #include "tricover/segment.h"
+#include "tricover/time_of_impact.h"
 
 namespace tricover::support {
 namespace {
@@ -27,6 +30,16 @@ LeastDistanceOptions within(double error, double margin = 0) {
   options.error = error;
   options.margin = margin;
   return options;
+}
+
+/// Of tips at distance 1, and notches at 0.6.
+Polygon starOf(int tips) {
+  Ring ring;
+  for (int i = 0; i < 2 * tips; ++i) {
+    const double angle = i * 3.141592653589793 / tips, size = i % 2 == 0 ? 1 : 0.6;
+    ring.emplace_back(size * std::cos(angle), size * std::sin(angle));
+  }
+  return Polygon({ring});
 }
 
 void expectLeast(const LeastDistance& found, double truth, double error) {
@@ -141,6 +154,58 @@ TEST(LeastDistance, TimesAreTheTrajectorys) {
   // They are there together for an instant.
   const Trajectory at_once({{20, 30, still(0, 0)}});
   EXPECT_EQ(leastDistance(post, at_once, robot, comes, absent).distance, 7);
+}
+
+/// As timeOfImpact() and conflicts() say at the one instant at which both are there.
+TEST(LeastDistance, AgreesAtAnInstant) {
+  const Polygon body = box(1, 1);
+  for (const double apart : {0.0, 1.0, 1.5}) {
+    const Trajectory first({{0, 10, slide(0, 0, {10, 0})}}), then({{10, 20, slide(10 + apart, 0, {5, 0})}});
+    LeastDistanceOptions absent;
+    absent.absent_outside = true;
+    const double least = leastDistance(body, first, body, then, absent).distance;
+    EXPECT_EQ(least, std::max(apart - 1, 0.0));
+    for (const double time_error : {0.0, 1e-6})
+      for (const bool ignores : {false, true}) {
+        const ImpactOptions options{0, time_error, ignores, true};
+        const auto impact = timeOfImpact(body, first, body, then, options);
+        const auto all = conflicts(body, first, body, then, options);
+        ASSERT_EQ(impact.has_value(), least == 0 && !ignores);
+        ASSERT_EQ(all.size(), impact.has_value() ? 1u : 0u);
+        if (!impact) continue;
+        EXPECT_EQ(impact->time, 10);
+        EXPECT_EQ(all[0].impact.time, 10);
+        EXPECT_EQ(all[0].end, 10);
+        EXPECT_FALSE(all[0].budget_ended);
+      }
+  }
+}
+
+/// A body turns as it passes by a star: near the least distance the gap is a parabola in time.
+TEST(LeastDistance, TightErrorsLeaveBudgets) {
+  int near = 0;
+  for (const int tips : {5, 12, 25}) {
+    const Polygon star = starOf(tips);
+    for (const double angle : {-2.5, -1.0, 0.75, 2.0}) {
+      Motion way = slide(-5, 3.5 + 0.1 * tips, {10, 0.5});
+      way.angle = angle;
+      for (const Polygon& body : {box(2, 2), starOf(9)}) {
+        const LeastDistance loose = leastDistance(star, still(0, 0), body, way, within(1e-7)),
+                            tight = leastDistance(star, still(0, 0), body, way, within(1e-11));
+        ASSERT_GT(tight.distance, 0);
+        EXPECT_FALSE(tight.budget_ended);
+        EXPECT_LE(tight.distance - tight.lower_bound, 1e-11);
+        EXPECT_LE(tight.distance, loose.distance + 1e-14);
+        EXPECT_GE(tight.distance, loose.lower_bound);
+        EXPECT_FALSE(timeOfImpact(star, still(0, 0), body, way, {tight.distance - 1e-9, 1e-6}));
+        const auto impact = timeOfImpact(star, still(0, 0), body, way, {tight.distance + 1e-9, 1e-6});
+        ASSERT_TRUE(impact);
+        EXPECT_FALSE(impact->budget_ended);
+        ++near;
+      }
+    }
+  }
+  EXPECT_EQ(near, 24);
 }
 
 TEST(LeastDistance, LengthsThatOverflowEnd) {
