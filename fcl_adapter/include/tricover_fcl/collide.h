@@ -27,7 +27,8 @@ namespace tricover_fcl {
 /// two faces that lie upon each other; normal, a unit vector in the plane, and penetration_depth are those of that part
 /// and the edges around it (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a,
 /// edge_b). As long as num_max_contacts is above the number of parts, a part where two edges face each other along an
-/// interval gives two contacts, the ends of that interval (tricover::Contact::points). Where num_max_contacts is 1,
+/// interval gives two contacts, the ends of that interval (tricover::Contact::points), and one more before them where
+/// the part is deeper elsewhere: one of them has the part's depth. Where num_max_contacts is 1,
 /// FCL's default, that contact is the way to part the polygons altogether (tricover::penetration), which costs more
 /// unless both are convex. Depths are in the plane, and those of the polygons grown by their margins (and by
 /// options.margin); so is pos. With margins, and beside discs and stadiums (below), that translation separates polygons
@@ -48,8 +49,8 @@ namespace tricover_fcl {
 /// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the middle of the
 /// heights that the prism and the geometry share, `depth` at most 1e-4 of a round geometry's size above the truth where
 /// it is no disc or stadium; b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or
-/// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
-/// nothing.
+/// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin and touching count, tolerance
+/// changes nothing.
 ///
 /// \snippet fcl.cpp fcl collide
 template <typename S>
@@ -62,9 +63,11 @@ template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
-/// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
-/// knows nothing of it: its boxes include the shapes' own margins only. Throws std::logic_error if neither is a
-/// polygon.
+/// The same with what tricover::collide takes. The shapes' margins come on top of options.margin, and the sum decides:
+/// either may be negative. Touching::Allowed is about the plane: heights that touch are shared, and beside geometries
+/// whose relative pose is rounded (see above) what touches up to that rounding may count as either. A broadphase
+/// manager knows nothing of options: its boxes include the shapes' own margins only. Throws std::logic_error if neither
+/// is a polygon.
 ///
 /// \snippet fcl.cpp fcl collide with options
 template <typename S>

@@ -1,8 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fcl/geometry/collision_geometry.h>
+#include <fcl/math/motion/motion_base.h>
+#include <fcl/narrowphase/continuous_collision_request.h>
+#include <fcl/narrowphase/continuous_collision_result.h>
+
 #include "tricover/export.h"
 #include "tricover_fcl/fcl_layout.h"
+
+// FCL's functions for float are templates that each program instantiates. tricover's copy of this one is called from
+// files that include this header, because FCL's samples.
+namespace fcl {
+template <typename S>
+FCL_EXPORT S continuousCollide(const CollisionGeometry<S>*, const MotionBase<S>*, const CollisionGeometry<S>*,
+                               const MotionBase<S>*, const ContinuousCollisionRequest<S>&,
+                               ContinuousCollisionResult<S>&);
+extern template FCL_EXPORT float continuousCollide(const CollisionGeometry<float>*, const MotionBase<float>*,
+                                                   const CollisionGeometry<float>*, const MotionBase<float>*,
+                                                   const ContinuousCollisionRequest<float>&,
+                                                   ContinuousCollisionResult<float>&);
+}  // namespace fcl
 
 namespace tricover_fcl {
 
