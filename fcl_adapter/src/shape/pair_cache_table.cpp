@@ -33,7 +33,8 @@ struct Seen {
       const std::vector<std::uint64_t> old = std::exchange(cells, std::vector<std::uint64_t>(cells.size() * 2));
       ++bits;
       taken = 0;
-      for (const std::uint64_t known : old) cellOf(known) = known;
+      for (const std::uint64_t known : old)
+        if (known != 0) cellOf(known) = known;
     }
     cellOf(key) = key;
     return false;
@@ -47,8 +48,7 @@ struct Seen {
 struct Table {
   Table() { resize(kFirstBits); }
 
-  std::size_t slotOf(std::uint64_t key) const { return static_cast<std::size_t>(key >> (64 - bits)); }
-  Slot& slotAt(std::uint64_t key) { return slots[slotOf(key)]; }
+  Slot& slotAt(std::uint64_t key) { return slots[static_cast<std::size_t>(key >> (64 - bits))]; }
 
   /// The cache of that pair. It begins empty where the slot was another pair's: that pair's may be in back-off.
   tricover::PairCache* cacheOf(std::uint64_t key) {
