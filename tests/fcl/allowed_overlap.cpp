@@ -51,7 +51,7 @@ bool meetBy(const CollideOptions& options, const fcl::CollisionGeometryd& a, con
 TEST(AllowedOverlap, theSumOfAllMarginsDecides) {
   Random random(81);
   int hits = 0, negative = 0;
-  const int count = scaledCount(300);
+  const int count = std::max(100, scaledCount(300));
   for (int i = 0; i < count; ++i) {
     const tricover::Polygon a({anyConvex(random, 1)}), b({anyConvex(random, 1)});
     const tricover::Pose pose_a = randomPose(random, 1), pose_b = randomPose(random, 1);
@@ -152,7 +152,7 @@ TEST(AllowedOverlap, besideCellsIsThatOfAllThatIsThere) {
 
   Random random(82);
   int hits = 0, count = 0;
-  for (int i = 0; i < scaledCount(30); ++i) {
+  for (int i = 0; i < std::max(20, scaledCount(30)); ++i) {
     std::vector<tricover::Vec2> middles;
     for (double x = -0.875; x < 1; x += 0.25)
       for (double y = -0.875; y < 1; y += 0.25)
@@ -261,7 +261,7 @@ TEST(AllowedOverlap, isReachedOnTimeByAMotionOfOnesOwn) {
 /// The same motion by FCL's class, which is known, and by one that is asked for its bounds alone.
 TEST(AllowedOverlap, ofMotionsOfOnesOwnIsThatOfFcls) {
   Random random(84);
-  const int cases = scaledCount(200);
+  const int cases = std::max(40, scaledCount(200));
   int hits = 0;
   for (int i = 0; i < cases; ++i) {
     SCOPED_TRACE(i);

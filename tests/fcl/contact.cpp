@@ -268,7 +268,7 @@ TEST_F(Contact, ofFacesAreInOrderAndAsDeepAsTheirComponents) {
     for (int k = 0; k < corners; ++k) ring.emplace_back(random.integer(-8, 8) / 4.0, random.integer(-8, 8) / 4.0);
     return ring;
   };
-  for (int i = 0; i < scaledCount(300); ++i) {
+  for (int i = 0; i < std::max(60, scaledCount(300)); ++i) {
     SCOPED_TRACE(i);
     check(tricover::Polygon({onGrid(8)}), here, tricover::Polygon({onGrid(random.integer(3, 6))}), here);
     if (HasFatalFailure()) return;
