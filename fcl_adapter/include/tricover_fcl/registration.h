@@ -9,9 +9,9 @@
 #include "tricover/export.h"
 #include "tricover_fcl/fcl_layout.h"
 
-// FCL's functions for float are templates that each program instantiates. tricover's copy of this one is called from
-// files that include this header, because FCL's samples.
 namespace fcl {
+/// FCL's function. For float it is a template that each program instantiates. Files that include this header call
+/// tricover's copy instead, which follows polygons, because FCL's default solver samples.
 template <typename S>
 FCL_EXPORT S continuousCollide(const CollisionGeometry<S>*, const MotionBase<S>*, const CollisionGeometry<S>*,
                                const MotionBase<S>*, const ContinuousCollisionRequest<S>&,
