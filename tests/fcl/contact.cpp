@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ask.h"
+#include "tricover/contacts.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -229,6 +230,51 @@ TEST_F(Contact, ofFacesIsInTheirMiddleOrAtBothEnds) {
             }
             EXPECT_LT((middle - fcl::Vector3d(2, 0.495, 0)).norm(), 1e-12) << middle.transpose();
           }
+}
+
+/// The deepest first, and one of each component's as deep as the component: of flat ones, too, whose ends may be less
+/// deep.
+TEST_F(Contact, ofFacesAreInOrderAndAsDeepAsTheirComponents) {
+  Random random(44);
+  int flat_ones = 0, shallow = 0;
+  const auto check = [&](const tricover::Polygon& a, const tricover::Pose& pose_a, const tricover::Polygon& b,
+                         const tricover::Pose& pose_b) {
+    const auto parts = tricover::contacts(a, pose_a, b, pose_b, {0, 99, tricover::ContactDetail::LocalDepth});
+    for (const std::size_t most : {2U, 3U, 4U, 99U}) {
+      const auto found = contactsOf(*shapeOf(a), lifted(pose_a), *shapeOf(b), lifted(pose_b), most);
+      ASSERT_GE(found.size(), std::min<std::size_t>(most, parts.size()));
+      ASSERT_LE(found.size(), most);
+      for (std::size_t k = 1; k < found.size(); ++k)
+        ASSERT_GE(found[k - 1].penetration_depth, found[k].penetration_depth);
+      for (std::size_t k = 0; k < std::min(most, parts.size()); ++k) {
+        ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const fcl::Contactd& contact) {
+          return contact.penetration_depth == parts[k].depth && contact.b1 == parts[k].edge_a;
+        })) << k;
+        if (most < 99 || parts[k].count < 2) continue;
+        ++flat_ones;
+        shallow += parts[k].points[0].depth < 0.99 * parts[k].depth;
+        for (const tricover::ContactPoint& end : parts[k].points)
+          ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const fcl::Contactd& contact) {
+            return (contact.pos.head<2>() - end.point).norm() < 1e-9;
+          })) << k;
+      }
+    }
+  };
+  const tricover::Pose here = flat(here_);
+  check(tricover::Polygon({{{-2, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {-1, 1}, {-1, 2}, {-2, 2}}}), here,
+        tricover::Polygon({{{-1.25, 0.5}, {-1, 1.25}, {1, 1}, {2, 1.25}}}), here);
+  const auto onGrid = [&](int corners) {
+    tricover::Ring ring;
+    for (int k = 0; k < corners; ++k) ring.emplace_back(random.integer(-8, 8) / 4.0, random.integer(-8, 8) / 4.0);
+    return ring;
+  };
+  for (int i = 0; i < std::max(60, scaledCount(300)); ++i) {
+    SCOPED_TRACE(i);
+    check(tricover::Polygon({onGrid(8)}), here, tricover::Polygon({onGrid(random.integer(3, 6))}), here);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(flat_ones, 20);
+  EXPECT_GT(shallow, 0);
 }
 
 TEST_F(Contact, ofATouchHasDepthZero) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Continuous collision through FCL: its motions, its two solvers that reach us, and tricover_fcl::continuousCollide.
+// Continuous collision through FCL: its motions, its solvers, and tricover_fcl::continuousCollide.
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/screw_motion.h>
 #include <fcl/math/motion/spline_motion.h>
@@ -62,13 +62,6 @@ TEST(Continuous, bulletsDoNotTunnel) {
       }
     }
   }
-  // NAIVE looks ten times, and sees nothing; ours doesn't sample.
-  fcl::ContinuousCollisionRequestd naive(10, 1e-9, fcl::CCDM_TRANS);
-  fcl::ContinuousCollisionResultd fcls, ours;
-  EXPECT_EQ(fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, naive, fcls), 1);
-  EXPECT_FALSE(fcls.is_collide);
-  EXPECT_NEAR(tricover_fcl::continuousCollide(bullet.get(), begin, end, wall.get(), here, here, naive, ours), truth,
-              1e-9);
 }
 
 TEST(Continuous, contactAtTheEndsCounts) {

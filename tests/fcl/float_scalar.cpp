@@ -127,12 +127,24 @@ TEST(FloatScalar, translationsCollide) {
   const fcl::Transform3f begin = lifted<float>(tricover::support::pose(0, -4, 0)),
                          end = lifted<float>(tricover::support::pose(0, 4, 0)), here = fcl::Transform3f::Identity();
   const fcl::TranslationMotionf motion(begin, end), still(here, here);
-  for (const fcl::CCDSolverType solver : {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT}) {
-    const fcl::ContinuousCollisionRequestf request(1001, 1e-3f, fcl::CCDM_TRANS, fcl::GST_LIBCCD, solver);
-    fcl::ContinuousCollisionResultf result, ours;
+  const fcl::TranslationMotionf flies(lifted<float>(tricover::support::pose(0, -400, 0)),
+                                      lifted<float>(tricover::support::pose(0, 400, 0)));
+  const fcl::Spheref sphere(1);
+  for (const fcl::CCDSolverType solver :
+       {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT, fcl::CCDC_RAY_SHOOTING, fcl::CCDC_POLYNOMIAL_SOLVER}) {
+    const fcl::ContinuousCollisionRequestf request(10, 1e-3f, fcl::CCDM_TRANS, fcl::GST_LIBCCD, solver);
+    fcl::ContinuousCollisionResultf result, ours, passing, of_fcl;
     fcl::continuousCollide<float>(square.get(), &motion, square.get(), &still, request, result);
     EXPECT_TRUE(result.is_collide);
-    EXPECT_NEAR(result.time_of_contact, 0.375f, 1.1e-3f);
+    EXPECT_LE(result.time_of_contact, 0.375f);
+    EXPECT_GE(result.time_of_contact, 0.374f);
+    fcl::continuousCollide<float>(square.get(), &flies, square.get(), &still, request, passing);
+    EXPECT_TRUE(passing.is_collide);
+    EXPECT_NEAR(passing.time_of_contact, 399 / 800.0f, 1e-3f);
+    if (solver == fcl::CCDC_NAIVE || solver == fcl::CCDC_CONSERVATIVE_ADVANCEMENT) {
+      fcl::continuousCollide<float>(&sphere, &motion, &sphere, &still, request, of_fcl);
+      EXPECT_TRUE(of_fcl.is_collide);
+    }
     tricover_fcl::continuousCollide<float>(square.get(), begin, end, square.get(), here, here, request, ours);
     EXPECT_TRUE(ours.is_collide);
     EXPECT_LE(ours.time_of_contact, 0.375f);

@@ -228,6 +228,27 @@ TEST(Margin, distancesAreThoseOfTheGrownPolygons) {
   }
 }
 
+/// Though they add up to nothing.
+TEST(Margin, nearestPointsAreThoseOfEachMargin) {
+  const Shape<double> a = withMargin(kSquare, 0.5), b = withMargin(kSquare, -0.5), c = withMargin(kSquare, 1.5);
+  const auto ask = [](const Shape<double>& first, double x, const Shape<double>& second, double y) {
+    return distanceOf<double>(fcl::GST_LIBCCD, false, *first, lifted(0, x, 0), *second, lifted(0, y, 0));
+  };
+  const auto apart = ask(a, 0, b, 3), swapped = ask(b, 3, a, 0);
+  EXPECT_EQ(apart.min_distance, 2);
+  EXPECT_EQ(apart.nearest_points[0].x(), 1.5);
+  EXPECT_EQ(apart.nearest_points[1].x(), 3.5);
+  EXPECT_EQ(swapped.nearest_points[0].x(), 3.5);
+  EXPECT_EQ(swapped.nearest_points[1].x(), 1.5);
+  // From 1 + 1.5 back to 1.5 + 0.5, where both are.
+  for (const auto& overlap : {ask(c, 0, b, 1.5), ask(b, 1.5, c, 0)}) {
+    EXPECT_EQ(overlap.nearest_points[0], overlap.nearest_points[1]);
+    EXPECT_GE(overlap.nearest_points[0].x(), 2);
+    EXPECT_LE(overlap.nearest_points[0].x(), 2.5);
+  }
+  EXPECT_TRUE(ask(a, 0, b, 1).nearest_points[0].allFinite());  // they touch
+}
+
 TEST(Margin, badLengthsAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto refusal = [](const PolygonOptions& options) {

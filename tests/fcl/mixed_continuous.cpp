@@ -171,16 +171,21 @@ TEST_F(MixedContinuous, contactAtTheEndCounts) {
               1, kEarliest);
 }
 
-TEST_F(MixedContinuous, naiveGoesThroughCollide) {
+TEST_F(MixedContinuous, everySolverIsExact) {
   const fcl::Sphered sphere(1);
   const fcl::Transform3d here = fcl::Transform3d::Identity();
-  EXPECT_LE(time(*tip<double>(), shifted<double>(5, 0, 0), shifted<double>(0, 0, 0), sphere, here, here,
-                 fcl::CCDM_TRANS, fcl::CCDC_NAIVE),
-            1);
-  // It may tilt the pair, too.
-  EXPECT_LE(time(*tip<double>(), shifted<double>(5, 0, 0), placed<double>({0, 0, 0}, turned(1, Vec3::UnitX())), sphere,
-                 here, here, fcl::CCDM_SCREW, fcl::CCDC_NAIVE),
-            1);
+  for (const fcl::CCDSolverType solver : {fcl::CCDC_NAIVE, fcl::CCDC_RAY_SHOOTING, fcl::CCDC_POLYNOMIAL_SOLVER}) {
+    const double found = time(*tip<double>(), shifted<double>(5000, 0, 0), shifted<double>(-5000, 0, 0), sphere, here,
+                              here, fcl::CCDM_TRANS, solver);
+    EXPECT_LE(found, 0.4999 + 1e-12);
+    EXPECT_GE(found, 0.4999 - kEarliest);
+    // Poses alone would not tell what a pair that tilts meets.
+    EXPECT_NE(thrownBy<std::invalid_argument>([&] {
+                time(*tip<double>(), shifted<double>(5, 0, 0), placed<double>({0, 0, 0}, turned(1, Vec3::UnitX())),
+                     sphere, here, here, fcl::CCDM_SCREW, solver);
+              }).find("leaves the polygon's plane"),
+              std::string::npos);
+  }
 }
 
 TEST_F(MixedContinuous, motionsThatLeaveThePlaneThrow) {

@@ -26,7 +26,8 @@ namespace tricover_fcl {
 /// two faces that lie upon each other; normal, a unit vector in the plane, and penetration_depth are those of that part
 /// and the edges around it (tricover::ContactDetail::LocalDepth); b1 and b2 are edges (tricover::Contact::edge_a,
 /// edge_b). As long as num_max_contacts is above the number of parts, a part where two edges face each other along an
-/// interval gives two contacts, the ends of that interval (tricover::Contact::points). Where num_max_contacts is 1,
+/// interval gives two contacts, the ends of that interval (tricover::Contact::points), and one more before them where
+/// the part is deeper elsewhere: one of them has the part's depth. Where num_max_contacts is 1,
 /// FCL's default, that contact is the way to part the polygons altogether (tricover::penetration), which costs more
 /// unless both are convex. Depths are in the plane, and those of the polygons grown by their margins (and by
 /// options.margin); so is pos. With margins, and beside discs and stadiums (below), that translation separates polygons
@@ -47,8 +48,8 @@ namespace tricover_fcl {
 /// cost a pass over their triangles; of octrees the occupied cells count. Contacts are as above, in the middle of the
 /// heights that the prism and the geometry share, `depth` at most 1e-4 of a round geometry's size above the truth where
 /// it is no disc or stadium; b1 or b2 of a mesh is its triangle and of an octree its cell, otherwise NONE. A plane or
-/// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin counts, tolerance changes
-/// nothing.
+/// halfspace parallel to the polygon is left along its own normal. CollideOptions: margin and touching count, tolerance
+/// changes nothing.
 ///
 /// \throws std::invalid_argument for a pose that isn't rigid or finite, and for one of two polygons' that leaves the
 /// plane. The text calls the first object's pose_a, the second's pose_b.
@@ -66,11 +67,13 @@ template <typename S>
 TRICOVER_EXPORT std::size_t collide(const fcl::CollisionObject<S>* o1, const fcl::CollisionObject<S>* o2,
                                     const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result);
 
-/// The same with what tricover::collide takes; the shapes' margins come on top of options.margin. A broadphase manager
-/// knows nothing of it: its boxes include the shapes' own margins only.
+/// The same with what tricover::collide takes. The shapes' margins come on top of options.margin, and the sum decides:
+/// either may be negative. Touching::Allowed is about the plane: heights that touch are shared, and beside geometries
+/// whose relative pose is rounded (see above) what touches up to that rounding may count as either. A broadphase
+/// manager knows nothing of options: its boxes include the shapes' own margins only.
 ///
-/// \throws std::invalid_argument for a margin that is not finite, and for a tolerance that is negative or not finite
-/// \throws std::logic_error if neither is a polygon
+/// \throws std::invalid_argument for a margin that is not finite, for a tolerance that is negative or not finite, and
+/// for a value that Touching doesn't have \throws std::logic_error if neither is a polygon
 ///
 /// \snippet fcl.cpp fcl collide with options
 template <typename S>

@@ -14,13 +14,14 @@ namespace tricover_fcl {
 /// fcl::continuousCollide, reaching tricover however the program is linked; other pairs than polygons are handed to
 /// FCL. Returns result.time_of_contact, which is 1 where there is none.
 ///
-/// Two polygons: what fcl::continuousCollide answers with CCDC_CONSERVATIVE_ADVANCEMENT, here whatever the
-/// ccd_solver_type (CCDC_NAIVE would ask collide at num_max_iterations times and see nothing in between). The time is
-/// never later than the first contact and at most toc_err earlier (tricover::timeOfImpact); contact at the end counts,
-/// and so does a pass that only touches. Shapes with margins are in contact as soon as they are as near as the sum of
-/// those. num_max_iterations changes nothing. All of FCL's own motions are followed, a SplineMotion by its control
-/// points; for many one after the other see TrajectoryMotion. A motion that leaves the plane (it must keep z and turn
-/// about z) is refused.
+/// Two polygons: exact, whatever the ccd_solver_type. The time is never later than the first contact and at most
+/// toc_err earlier (tricover::timeOfImpact); contact at the end counts, and so does a pass that only touches. Shapes
+/// with margins are in contact as soon as they are as near as the sum of those. num_max_iterations changes nothing.
+/// fcl::continuousCollide answers the same: FCL's default solver, CCDC_NAIVE, which samples, and CCDC_RAY_SHOOTING and
+/// CCDC_POLYNOMIAL_SOLVER, which know no polygons, are never asked about one. For float, whose fcl::continuousCollide
+/// is a template that is compiled into users' code, this holds in files that include a header of tricover_fcl. All of
+/// FCL's own motions are followed, a SplineMotion by its control points; for many one after the other see
+/// TrajectoryMotion. A motion that leaves the plane (it must keep z and turn about z) is refused.
 ///
 /// A motion class of the user's own is followed by its poses and its computeMotionBound for FCL's
 /// BVMotionBoundVisitor: that, asked after integrate(t), must be no less than the speed, in the visitor's direction, of
@@ -33,14 +34,9 @@ namespace tricover_fcl {
 /// visitor, because FCL's visitors know FCL's motions alone and say 0 of others.
 ///
 /// Other geometries: as long as both motions keep the polygon's plane as it lies at time 0 (they shift within it and
-/// turn about its normal), wherever that is in space; other motions are refused, and work with
-/// CCDC_NAIVE in fcl::continuousCollide. A plane or halfspace needs a motion of FCL's, or one that stands still. A
-/// round geometry that is neither a disc nor a stadium is taken for a polygon around it, at most 1e-4 of its size
-/// outside.
-///
-/// fcl::continuousCollide refuses a polygon where CCDC_RAY_SHOOTING or CCDC_POLYNOMIAL_SOLVER is
-/// asked for, which know none. (Its float version is compiled into users' code, out of reach: it prints, or says
-/// "free".)
+/// turn about its normal), wherever that is in space; other motions are refused. A plane or halfspace
+/// needs a motion of FCL's, or one that stands still. A round geometry that is neither a disc nor a stadium is taken
+/// for a polygon around it, at most 1e-4 of its size outside.
 ///
 /// FCL's motions turn by quaternions, so their first and last pose are those given up to rounding. Three of them have a
 /// bug in FCL 0.7.0 that shows where two transforms are given, but not here, nor of polygons in fcl::continuousCollide
@@ -48,8 +44,8 @@ namespace tricover_fcl {
 /// - InterpMotion (CCDM_LINEAR) leaves the point that moves on a straight line uninitialised; here it is the origin.
 ///   One made by yourself needs that point if it turns.
 /// - ScrewMotion (CCDM_SCREW) without a turn goes on beyond its goal, to its own length times the way; here it is a
-///   TranslationMotion. If you make one yourself, its goal is taken for the end, but contact_tf1 and contact_tf2, which
-///   FCL fills, don't.
+///   TranslationMotion. If you make one yourself, its goal is taken for the end, but contact_tf1 and contact_tf2 are
+///   its own poses.
 /// - SplineMotion (CCDM_SPLINE) made from two transforms is left uninitialised as a whole; here that is
 ///   refused. Make it from control points.
 ///

@@ -1,8 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fcl/geometry/collision_geometry.h>
+#include <fcl/math/motion/motion_base.h>
+#include <fcl/narrowphase/continuous_collision_request.h>
+#include <fcl/narrowphase/continuous_collision_result.h>
+
 #include "tricover/export.h"
 #include "tricover_fcl/fcl_layout.h"
+
+namespace fcl {
+/// FCL's function. For float it is a template that each program instantiates. Files that include this header call
+/// tricover's copy instead, which follows polygons, because FCL's default solver samples.
+template <typename S>
+FCL_EXPORT S continuousCollide(const CollisionGeometry<S>*, const MotionBase<S>*, const CollisionGeometry<S>*,
+                               const MotionBase<S>*, const ContinuousCollisionRequest<S>&,
+                               ContinuousCollisionResult<S>&);
+extern template FCL_EXPORT float continuousCollide(const CollisionGeometry<float>*, const MotionBase<float>*,
+                                                   const CollisionGeometry<float>*, const MotionBase<float>*,
+                                                   const ContinuousCollisionRequest<float>&,
+                                                   ContinuousCollisionResult<float>&);
+}  // namespace fcl
 
 namespace tricover_fcl {
 

@@ -29,8 +29,8 @@ struct TimedMotion {
 /// `absent_outside`, is absent: it meets nothing then (tricover::BodyTrajectory::absent_outside). toc_err is by FCL's
 /// time, of which 1 is end - begin.
 ///
-/// FCL's own pairs know nothing of it: with CCDC_CONSERVATIVE_ADVANCEMENT it refuses them. With CCDC_NAIVE it is asked
-/// for its poses as any motion is, and an absent body rests.
+/// FCL's own pairs know nothing of it: they refuse it unless CCDC_NAIVE is asked for, which samples its
+/// poses, and unless the body is there from time 0 to 1.
 ///
 /// \snippet fcl.cpp fcl trajectory
 template <typename S>

@@ -18,11 +18,13 @@ namespace tricover_fcl {
 
 namespace {
 
-/// Before the shapes' margins are added, which would hide a negative one.
-void checkLength(double length, const char* field) {
-  if (!(std::isfinite(length) && length >= 0)) {
-    refuse(field, "it must be finite and not negative");
-  }
+/// What shapes that are plainly apart would hide, and shapes' margins, which are added.
+void check(const tricover::CollideOptions& options) {
+  if (!std::isfinite(options.margin)) refuse("margin", "it must be finite");
+  if (!(std::isfinite(options.tolerance) && options.tolerance >= 0))
+    refuse("tolerance", "it must be finite and not negative");
+  if (options.touching != tricover::Touching::Collides && options.touching != tricover::Touching::Allowed)
+    refuse("touching", "it must be Touching::Collides or Touching::Allowed");
 }
 
 }  // namespace
@@ -49,9 +51,8 @@ std::size_t collide(const fcl::CollisionGeometry<S>* o1, const fcl::Transform3<S
                     fcl::CollisionResult<S>& result) {
   if (!isPolygon(*o1) && !isPolygon(*o2))
     refuseQuestion("options", "they are for pairs with a PolygonShape", "ask fcl::collide");
-  checkLength(options.margin, "margin");
-  checkLength(options.tolerance, "tolerance");
-  return collideGeometries(*o1, tf1, *o2, tf2, request, result, options.margin, options.tolerance);
+  check(options);
+  return collideGeometries(*o1, tf1, *o2, tf2, request, result, &options);
 }
 
 template <typename S>

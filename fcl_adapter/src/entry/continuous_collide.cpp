@@ -7,12 +7,7 @@
 #include "queries/queries.h"
 #include "shape/is_polygon.h"
 #include "shape/motion_in_plane.h"
-
-// In float_advancement.cpp.
-extern template float fcl::continuousCollide(const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
-                                             const fcl::CollisionGeometry<float>*, const fcl::MotionBase<float>*,
-                                             const fcl::ContinuousCollisionRequest<float>&,
-                                             fcl::ContinuousCollisionResult<float>&);
+#include "tricover_fcl/registration.h"
 
 namespace tricover_fcl {
 
@@ -20,7 +15,11 @@ template <typename S>
 S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S>* motion1,
                     const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
-  if (!isPolygon(*o1) && !isPolygon(*o2)) return fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
+  if (!isPolygon(*o1) && !isPolygon(*o2)) {
+    requireSampled(*motion1, request);  // where fcl::continuousCollide is not ours
+    requireSampled(*motion2, request);
+    return fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
+  }
   const S time = advanceGeometries(*o1, *motion1, *o2, *motion2, request, result);
   if (result.is_collide) {
     result.contact_tf1 = poseAt(*motion1, time);

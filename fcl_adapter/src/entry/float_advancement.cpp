@@ -2,16 +2,8 @@
 #include "entry/table_rows.h"
 
 // As float_collide.cpp. The other solver's table is in float_advancement_indep.cpp.
-namespace fcl {
-
-namespace detail {
-extern TRICOVER_ADVANCE(float, GJKSolver_indep);
+namespace fcl::detail {
+TRICOVER_ADVANCE(float, GJKSolver_libccd);
 }
-template float continuousCollide(const CollisionGeometry<float>*, const MotionBase<float>*,
-                                 const CollisionGeometry<float>*, const MotionBase<float>*,
-                                 const ContinuousCollisionRequest<float>&, ContinuousCollisionResult<float>&);
-
-}  // namespace fcl
-
 extern template void tricover_fcl::fillAdvancementTable<fcl::detail::GJKSolver_indep<float>>();
 template void tricover_fcl::fillAdvancementTables<float>();

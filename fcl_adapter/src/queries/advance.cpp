@@ -124,7 +124,7 @@ void placeMoving(MovingPair& pair, const MixedGeometries<S>& both, const fcl::Mo
                      "make it an fcl::Box");
     }
     around = reach(course, box);
-    around += reach(other_course, grown(box, around + shape.options().margin));
+    around += reach(other_course, grown(box, around + std::abs(shape.options().margin)));
   }
   if (!placeStadium(pair.regions, both, false)) placeShadow(pair.regions, both, false, false, around);
   const bool is_there = pair.regions.apart == 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -26,6 +27,7 @@ std::optional<bool> decidedByDiscs(const PolygonShape<S>& a, const fcl::Transfor
   const Double2 way = column(tf2, 3) - column(tf1, 3);
   const double apart = tricover::detail::dot(way, way), margin = more + (a.options().margin + b.options().margin),
                reach = static_cast<double>(a.aabb_radius) + static_cast<double>(b.aabb_radius);
+  // With a negative margin, too: a point that is e deep in a disc is as much nearer to its centre.
   const bool is_free = apart > square(reach + more) * (1 + kSquares) + kUnderflow && reach < kEverywhere<S>;
   const bool is_hit = margin > 0 && a.isDisc() && b.isDisc() && apart < square(margin) * (1 - kSquares) - kUnderflow;
   if (!is_free && !is_hit) return std::nullopt;
@@ -40,7 +42,7 @@ static_assert(kTiltTolerance < tricover::kRigidTolerance);
 /// The world's box around what the boxes of both share in the plane, at the heights that polygons share or, of another
 /// geometry, at those of the polygon.
 Eigen::AlignedBox3d sharedBox(const PlanarPair& pair, double more) {
-  const Eigen::AlignedBox2d box = grown(boxOf(pair.a), more).intersection(boxOf(pair.b));
+  const Eigen::AlignedBox2d box = grown(boxOf(pair.a), std::max(more, 0.0)).intersection(boxOf(pair.b));
   Slab heights = (pair.other == &pair.a ? pair.b : pair.a).heights.of_shape;
   if (!pair.frame) heights = sharedHeights(pair.a.heights, pair.b.heights);
   if (heights.isAll()) heights = {0, 0};
@@ -122,17 +124,18 @@ void report(const PlanarPair& pair, const fcl::CollisionGeometry<S>& o1, const f
 template <typename S>
 std::size_t collidePolygons(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin,
-                            double tolerance) {
+                            const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
+                            const tricover::CollideOptions& options) {
   const auto &shape_a = static_cast<const PolygonShape<S>&>(o1), &shape_b = static_cast<const PolygonShape<S>&>(o2);
   const std::size_t before = result.numContacts();
   if (before > 0 && request.isSatisfied(result)) return before;
-  const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, margin);
+  const std::optional<bool> plain = decidedByDiscs(shape_a, tf1, shape_b, tf2, options.margin);
   if (plain == false) return before;
   PlanarPair pair;
-  placePolygons(pair, shape_a, tf1, shape_b, tf2, margin);
-  if (pair.apart > 0 || !(plain || pair.collide(tolerance))) return before;
-  report(pair, o1, o2, request, result, margin);
+  placePolygons(pair, shape_a, tf1, shape_b, tf2, options.margin);
+  pair.touching = options.touching;
+  if (pair.apart > 0 || !(plain || pair.collide(options.tolerance))) return before;
+  report(pair, o1, o2, request, result, options.margin);
   return result.numContacts();
 }
 
@@ -140,43 +143,47 @@ template <typename S>
 [[gnu::noinline]] std::size_t collideOthers(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                                             const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                                             const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
-                                            double margin, double tolerance) {
+                                            const tricover::CollideOptions& options) {
   const bool first = isPolygon(o1), second = isPolygon(o2);
-  if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, result, margin, tolerance);
+  if (first && second) return collidePolygons(o1, tf1, o2, tf2, request, result, options);
   if (!first && !second) {
     warnAsFcl("collision", o1, o2);
     return 0;
   }
   if (request.isSatisfied(result)) return result.numContacts();
-  const MixedGeometries<S> both{o1, tf1, o2, tf2, margin};
+  const MixedGeometries<S> both{o1, tf1, o2, tf2, options.margin};
   PlanarPair pair;
+  pair.touching = options.touching;
   const bool is_stadium = placeMixed(pair, "collide", both, !request.enable_contact);
   if (pair.apart > 0 || !pair.collide()) return result.numContacts();
   // Discs and stadiums have boxes, and several contacts, by their outlines, which no complement meets.
   if (is_stadium && !both.polygon().polygon().isComplement() &&
       (wantsCosts(o1, o2, request) || (request.enable_contact && request.num_max_contacts != 1)))
     placeShadow(pair, both, false, !request.enable_contact);
-  report(pair, o1, o2, request, result, margin);
+  report(pair, o1, o2, request, result, options.margin);
   return result.numContacts();
 }
+
+constexpr tricover::CollideOptions kDefaultOptions;
 
 }  // namespace
 
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
-                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result, double margin,
-                              double tolerance) {
+                              const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
+                              const tricover::CollideOptions* given) {
+  const tricover::CollideOptions& options = given != nullptr ? *given : kDefaultOptions;
   // FCL's own call costs 20 ns: a frame around this one would be felt.
-  return isPlainlyPolygon(o1) && isPlainlyPolygon(o2)
-             ? collidePolygons(o1, tf1, o2, tf2, request, result, margin, tolerance)
-             : collideOthers(o1, tf1, o2, tf2, request, result, margin, tolerance);
+  return isPlainlyPolygon(o1) && isPlainlyPolygon(o2) ? collidePolygons(o1, tf1, o2, tf2, request, result, options)
+                                                      : collideOthers(o1, tf1, o2, tf2, request, result, options);
 }
 
 #define TRICOVER_INSTANTIATE(S)                                                                       \
   template std::size_t collideGeometries(const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
                                          const fcl::CollisionGeometry<S>&, const fcl::Transform3<S>&, \
-                                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&, double, double);
+                                         const fcl::CollisionRequest<S>&, fcl::CollisionResult<S>&,   \
+                                         const tricover::CollideOptions*);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

@@ -82,8 +82,9 @@ std::optional<Penetration> penetrationOf(const PlanarPair& pair) {
 /// Each component with a depth and a normal of its own: what a step of a simulation needs. An overlap that a negative
 /// margin allows is none, and is no part of a depth.
 std::vector<tricover::Contact> componentsOf(const PlanarPair& pair, std::size_t most) {
-  auto found = tricover::contacts(*pair.a.polygon, pair.a.pose, *pair.b.polygon, pair.b.pose,
-                                  {std::max(pair.margin, 0.0), most, tricover::ContactDetail::LocalDepth});
+  auto found =
+      tricover::contacts(*pair.a.polygon, pair.a.pose, *pair.b.polygon, pair.b.pose,
+                         {std::max(pair.margin, 0.0), most, tricover::ContactDetail::LocalDepth, pair.touching});
   if (pair.margin >= 0) return found;
   while (found.size() > 1 && found.back().depth < -pair.margin) found.pop_back();  // the deepest are first
   for (tricover::Contact& contact : found) {
@@ -136,6 +137,20 @@ Vec2 towards(const PlanarPair& pair) {
   return between.isZero(0) ? Vec2::UnitX() : between.stableNormalized();
 }
 
+/// Adds what FCL is told of a component: its own point and depth or, as `spare` allows, both ends of two faces that lie
+/// upon each other, the first with the component's depth. Where the component is deeper elsewhere, that comes first.
+void addComponent(const tricover::Contact& part, std::size_t& spare, std::vector<PlanarContact>& shared) {
+  const auto add = [&](const Vec2& point, double depth) {
+    shared.push_back({point, part.normal, depth, part.edge_a, part.edge_b});
+  };
+  const bool has_ends = part.count == 2 && spare > 0;
+  const double rounding = 1e-9 * part.depth + 0x1p-44 * part.point.lpNorm<1>();
+  const bool is_deepest = has_ends && part.points[0].depth >= part.depth - rounding;
+  add(is_deepest ? part.points[0].point : part.point, part.depth);
+  for (std::size_t k = is_deepest ? 1 : 0; has_ends && k < 2 && spare > 0; ++k, --spare)
+    add(part.points[k].point, part.points[k].depth);
+}
+
 }  // namespace
 
 std::optional<DistanceResult> PlanarPair::distanceWithin(double limit, tricover::DistanceOptions options) const {
@@ -160,13 +175,9 @@ std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::
   } else {
     const std::vector<tricover::Contact> parts = componentsOf(pair, most);
     std::size_t spare = !(pair.shadow && pair.shadow->excess > 0) ? most - parts.size() : 0;
-    for (const tricover::Contact& part : parts) {
-      const bool has_both = part.count == 2 && spare > 0;
-      spare -= has_both ? 1 : 0;
-      if (!has_both) shared.push_back({part.point, part.normal, part.depth, part.edge_a, part.edge_b});
-      for (std::size_t k = 0; has_both && k < 2; ++k)
-        shared.push_back({part.points[k].point, part.normal, part.points[k].depth, part.edge_a, part.edge_b});
-    }
+    for (const tricover::Contact& part : parts) addComponent(part, spare, shared);
+    std::stable_sort(shared.begin(), shared.end(),
+                     [](const PlanarContact& i, const PlanarContact& j) { return i.depth > j.depth; });
   }
   if (shared.empty()) {
     const DistanceResult nearest = tricover::distance(*pair.a.polygon, pair.a.pose, *pair.b.polygon, pair.b.pose);
@@ -180,15 +191,17 @@ std::vector<PlanarContact> contactsOf(const PlanarPair& pair, bool as_one, std::
 }
 
 void moveByMargins(const PlanarPair& pair, DistanceResult& found) {
-  const double both = pair.a.margin + pair.b.margin;
-  if (both == 0 || !std::isfinite(found.distance)) return;
+  const double of_a = pair.a.margin, of_b = pair.b.margin;
+  if ((of_a == 0 && of_b == 0) || !std::isfinite(found.distance)) return;
   const Vec2 between = found.point_b - found.point_a;
   if (found.distance > 0) {
     const Vec2 out = between.stableNormalized();
-    found.point_a += pair.a.margin * out;
-    found.point_b -= pair.b.margin * out;
+    found.point_a += of_a * out;
+    found.point_b -= of_b * out;
   } else {
-    if (pair.a.margin > 0) found.point_a += pair.a.margin / both * between;
+    const double apart = between.stableNorm();
+    const double share = std::min(std::max(of_a / (of_a + of_b), 1 - of_b / apart), of_a / apart);
+    if (apart > 0) found.point_a += share * between;
     found.point_b = found.point_a;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <fcl/geometry/shape/sphere.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -63,7 +64,8 @@ void placeInWorld(PlanarPair& pair, const MixedGeometries<S>& both, const Height
 template <typename S>
 void finishStadium(PlanarPair& pair, const MixedGeometries<S>& both, double radius) {
   const double beside = both.more + both.polygon().options().margin;
-  pair.margin = beside == 0 ? radius : (radius + beside) * (1 + 0x1p-52);
+  pair.margin = radius + beside;
+  if (beside != 0) pair.margin += std::abs(pair.margin) * 0x1p-52;
   if (hasFewEdges(both.polygon().polygon())) return;  // it is sooner tested than a certificate is found
   pair.place_a = &both.tf1;
   pair.place_b = &both.tf2;
@@ -149,7 +151,9 @@ bool placeShadow(PlanarPair& pair, const MixedGeometries<S>& both, bool at_all_h
   pair.margin = both.more + polygon.margin;
   pair.place_a = pair.place_b = nullptr;
   const Slab slab = at_all_heights ? Slab{-kInfinity, kInfinity} : polygon.heights.of_shape;
-  const View view{toPolygon(both), slab, grown(boundsOf(*polygon.polygon), pair.margin + around), only_near};
+  // As far as the margin reaches; where an overlap is allowed, as far as what is so deep in the other one.
+  const double near = std::abs(pair.margin) + around;
+  const View view{toPolygon(both), slab, grown(boundsOf(*polygon.polygon), near), only_near, pair.margin < 0};
   pair.shadow = makeShadow(both.other(), view);
   pair.apart = pair.shadow ? 0 : kInfinity;
   if (!pair.shadow) return false;

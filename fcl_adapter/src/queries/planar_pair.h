@@ -22,10 +22,12 @@ struct PlanarPair {
   PlanarPair(const PlanarPair&) = delete;  // a region's polygon may be the shadow's
   PlanarPair& operator=(const PlanarPair&) = delete;
 
-  /// Whether the two come as close as the margin; never false where the true ones do.
+  /// Whether the two come as close as the margin; never false where the true ones do. Where touching is allowed,
+  /// what touches up to the rounding may be either.
   bool collide(double tolerance = 0) const {
     tricover::PairCache* const kept = cache();
-    const tricover::CollideOptions options{margin + rounding, tolerance};
+    const bool may_touch = touching == tricover::Touching::Allowed;
+    const tricover::CollideOptions options{may_touch ? margin : margin + rounding, tolerance, touching};
     return kept != nullptr ? tricover::collide(*a.polygon, a.pose, *b.polygon, b.pose, *kept, options)
                            : tricover::collide(*a.polygon, a.pose, *b.polygon, b.pose, options);
   }
@@ -48,7 +50,8 @@ struct PlanarPair {
   Region a, b;
   double margin;        ///< of both, and of the query
   double rounding = 0;  ///< the true shadow lies in its region inflated by so much
-  double apart = 0;     ///< how far their heights are; infinite where the other one doesn't reach the polygon's
+  tricover::Touching touching = tricover::Touching::Collides;
+  double apart = 0;  ///< how far their heights are; infinite where the other one doesn't reach the polygon's
   const Region* other = nullptr;  ///< the one that isn't a polygon's
   std::optional<Shadow> shadow;   ///< where `other` comes from; a stadium's holds its segment alone, a disc has none
   /// Maps the plane's coordinates and heights to the world; none where they are the world's.
@@ -58,7 +61,7 @@ struct PlanarPair {
 
  private:
   tricover::PairCache* cache() const {
-    return place_a != nullptr ? pairCache(*a.polygon, place_a, *b.polygon, place_b) : nullptr;
+    return place_a != nullptr ? pairCache(a.polygon->id(), place_a, b.polygon->id(), place_b) : nullptr;
   }
 };
 

@@ -11,18 +11,22 @@
 
 #include <cstddef>
 
+namespace tricover {
+struct CollideOptions;
+}
+
 /// The answers of our rows of FCL's tables, whatever the solver: about two polygons or about one and another geometry.
 /// At least one of the geometries has our node type. They return what a row returns.
 ///
 /// Nothing of ours is included here, so that the files with FCL's tables, which take long, are seldom compiled again.
 namespace tricover_fcl {
 
-/// `margin` comes on top of the shapes' own; `tolerance` counts between two polygons.
+/// The options' margin comes on top of the shapes' own, their tolerance counts between two polygons. Null: the default.
 template <typename S>
 std::size_t collideGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,
                               const fcl::CollisionGeometry<S>& o2, const fcl::Transform3<S>& tf2,
                               const fcl::CollisionRequest<S>& request, fcl::CollisionResult<S>& result,
-                              double margin = 0, double tolerance = 0);
+                              const tricover::CollideOptions* options = nullptr);
 
 template <typename S>
 S distanceOfGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::Transform3<S>& tf1,

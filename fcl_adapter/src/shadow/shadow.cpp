@@ -16,7 +16,12 @@ Shadow shadowOf(tricover::Polygon outline, double rounding, const Slab& heights,
 }
 
 void PartShadows::add(int id, const SlabCut& cut) {
-  rings_.push_back(convexHull(cut.corners()));
+  std::vector<tricover::Vec2> corners = cut.corners();
+  for (std::size_t i = 0; view_.joins_parts && i < cut.corners().size(); ++i) {
+    for (const double x : {-rounding_, rounding_})
+      for (const double y : {-rounding_, rounding_}) corners.push_back(cut.corners()[i] + tricover::Vec2(x, y));
+  }
+  rings_.push_back(convexHull(corners));
   heights_ = united(heights_, cut.heights());
   parts_.push_back({id, rings_.back().size()});
 }

@@ -23,6 +23,7 @@ struct View {
   Slab slab;
   Eigen::AlignedBox2d around;  ///< holds the polygon
   bool only_there;             ///< parts that don't reach into `around` may be left out
+  bool joins_parts;            ///< depths count, which a gap that rounding leaves between neighbours would change
 };
 
 /// Nothing if the geometry doesn't reach the slab (or not within the view). For node types that castsShadow() knows.

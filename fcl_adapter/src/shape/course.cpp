@@ -18,6 +18,7 @@
 #include "shape/motion_in_plane.h"
 #include "shape/planar_pose.h"
 #include "tricover/collide.h"
+#include "tricover/contacts.h"
 #include "tricover/distance.h"
 
 namespace tricover_fcl {
@@ -224,8 +225,8 @@ struct Mover {
   }
 };
 
-/// How long a line across `direction` goes on parting what is `beside` and more apart along it: every part of both has
-/// to come to it.
+/// How long a line across `direction` goes on parting what is `beside` and more apart along it (if `beside` is
+/// negative, overlaps along it by less, and then by less in all): every part of both has to come to it.
 template <typename S>
 double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, double beside) {
   const Vec2 origin = a.pose.translation();
@@ -241,6 +242,49 @@ double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, do
   return least * (1 - 0x1p-50);
 }
 
+/// How far points may move before the bodies come as near as the margin or, if it is negative, overlap as deep.
+struct Clearance {
+  double length;
+  Vec2 towards;  ///< from a to b; zero where none is known
+  tricover::EdgeIndex edge_a, edge_b;
+};
+
+/// Finds it again and again for the same bodies.
+class Gauge {
+ public:
+  Gauge(const Polygon& a, const Polygon& b, double margin)
+      : a_(a), b_(b), margin_(margin), has_line_(margin >= 0 || !(a.isComplement() || b.isComplement())) {}
+
+  bool isReached(const Pose& pose_a, const Pose& pose_b) const {
+    return tricover::collide(a_, pose_a, b_, pose_b, {margin_});
+  }
+  /// Less than `least` may be found to be 0.
+  Clearance at(const Pose& pose_a, const Pose& pose_b, double least) {
+    const auto nearest = tricover::distance(a_, pose_a, b_, pose_b, cache_, {std::max(margin_, 0.0)});
+    const bool overlap = margin_ < 0 && nearest.distance == 0;
+    const double length = overlap ? allowedDepth(pose_a, pose_b, least) : nearest.distance - std::min(margin_, 0.0);
+    if (!has_line_) return {length, Vec2::Zero(), -1, -1};
+    if (!overlap)
+      return {length, (nearest.point_b - nearest.point_a).stableNormalized(), nearest.edge_a, nearest.edge_b};
+    const auto found = tricover::contacts(a_, pose_a, b_, pose_b, {0, 1, tricover::ContactDetail::LocalDepth});
+    if (found.empty()) return {length, Vec2::Zero(), -1, -1};
+    return {length, found[0].normal, found[0].edge_a, found[0].edge_b};
+  }
+
+ private:
+  /// What the overlap's depth leaves of the margin, or down to half of that. Depth changes by no more than points move.
+  double allowedDepth(const Pose& pose_a, const Pose& pose_b, double least) {
+    last_ = std::min(-margin_ / 2, 4 * last_);
+    while (last_ > least && tricover::collide(a_, pose_a, b_, pose_b, {margin_ + last_})) last_ /= 2;
+    return last_ > least ? last_ : 0;
+  }
+
+  const Polygon &a_, &b_;
+  double margin_, last_ = std::numeric_limits<double>::max() / 4;
+  bool has_line_;  ///< by which partedFor() proves something: a complement has no front to overlap with by little
+  tricover::PairCache cache_;
+};
+
 template <typename S>
 std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, const Polygon& polygon_b,
                               const Course& course_b, double begin, double end,
@@ -251,30 +295,26 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
   constexpr int kRest = 15;            // but for so many after one that wasn't
   int resting = 0;
   Mover<S> a{polygon_a, course_a}, b{polygon_b, course_b};
-  const auto collide = [&](double time) {
-    return tricover::collide(polygon_a, course_a.pose(time), polygon_b, course_b.pose(time), {options.margin});
-  };
-  const double size = options.margin + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
-  tricover::PairCache cache;
+  Gauge gauge(polygon_a, polygon_b, options.margin);
+  const double size =
+      std::abs(options.margin) + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
   // A step for each time_error / 16, between 65,536 and a million of them.
   const double most = std::clamp(16 / options.time_error, 0x1p16, 0x1p20);
   double time = static_cast<double>(roundDown<S>(begin));
   for (double steps = 0; steps < most; ++steps) {
     a.moveTo(time);
     b.moveTo(time);
-    const tricover::DistanceResult nearest =
-        tricover::distance(polygon_a, a.pose, polygon_b, b.pose, cache, {options.margin});
-    if (nearest.distance == 0) return time;
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
     const double rounding = 1e-13 * (size + (a.pose.translation() - b.pose.translation()).norm()) +
                             8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
                                 (a.pose.translation().norm() + b.pose.translation().norm());
-    double step = (nearest.distance - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
+    const Clearance left = gauge.at(a.pose, b.pose, rounding);
+    if (left.length == 0) return time;
+    double step = (left.length - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
     if (step < kShort && step < end - time && --resting < 0) {
       const double alone = step;
-      const Vec2 towards = (nearest.point_b - nearest.point_a).stableNormalized();
-      for (Vec2 direction : {towards, a.normalOf(nearest.edge_a), b.normalOf(nearest.edge_b)}) {
-        if (direction.dot(towards) < 0) direction = -direction;
+      for (Vec2 direction : {left.towards, a.normalOf(left.edge_a), b.normalOf(left.edge_b)}) {
+        if (direction.dot(left.towards) < 0) direction = -direction;
         if (direction.allFinite() && !direction.isZero(0))
           step = std::max(step, partedFor(a, b, direction, options.margin + rounding));
       }
@@ -286,7 +326,7 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
     const double next = free_until > time ? static_cast<double>(roundDown<S>(free_until)) : time;
     if (!(next > time)) return time;
     const double soon = static_cast<double>(roundDown<S>(std::min(time + options.time_error, end)));
-    if (next <= soon && collide(soon)) return time;
+    if (next <= soon && gauge.isReached(course_a.pose(soon), course_b.pose(soon))) return time;
     time = next;
   }
   return time;  // nothing is met before

@@ -38,7 +38,8 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
 /// with options that say `absent_outside`.
 /// Otherwise by conservative advancement: while the two are d apart and neither point is faster than v against the
 /// other, there is no contact within d / v; nor while an edge's line, or the nearest points', separates them, which
-/// each part of both comes to by its own speed along the normal. (Poses are taken to stay as rigid as they are.) Coming
+/// each part of both comes to by its own speed along the normal. Where a negative margin allows an overlap, what its
+/// depth leaves of that takes the place of the distance. (Poses are taken to stay as rigid as they are.) Coming
 /// within 1e-13 of size and distance, and 1e-15 of the distance from the world's origin (for float: 1e-6), is taken for
 /// contact.
 ///

@@ -14,9 +14,8 @@
 
 namespace tricover_fcl {
 
-/// What to do where conservative advancement has no answer.
-constexpr const char* kSampleInstead =
-    "use fcl::continuousCollide with CCDC_NAIVE, which asks collide at several times";
+/// What to do where a motion can't be followed.
+constexpr const char* kSampleInstead = "call fcl::collide at times of your own choice";
 
 /// The largest S that isn't above `time`, which is in [0, 1].
 template <typename S>
@@ -44,6 +43,11 @@ fcl::Transform3<S> poseAt(const fcl::MotionBase<S>& motion, S time);
 
 /// Throws std::invalid_argument: the motion leaves the plane.
 [[noreturn]] void refuseDeparture(const char* name);
+
+/// For FCL's own pairs. Throws std::logic_error for a TrajectoryMotion unless FCL samples its poses, and unless its
+/// body is there all the time: FCL would take it for a motion that stands still, and an absent body for one that rests.
+template <typename S>
+void requireSampled(const fcl::MotionBase<S>& motion, const fcl::ContinuousCollisionRequest<S>& request);
 
 /// What the motion does to things in `plane`, in its coordinates: from where they are at time 0, so it starts with the
 /// identity. For FCL's TranslationMotion, InterpMotion, ScrewMotion and SplineMotion; these types exactly, nothing for

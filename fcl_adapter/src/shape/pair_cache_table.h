@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "tricover/pair_cache.h"
 #include "tricover/polygon.h"
@@ -16,9 +17,9 @@ namespace tricover_fcl {
 /// compared, never read. Places that are new get the slot of their ids alone, and their own one from the next time on:
 /// so a walk along an array of poses is coherent, too. Null for ids that are new, because of a pair that is asked once
 /// nothing need be remembered, and once the thread's table is gone: a destructor of a static or thread_local object may
-/// still ask.
-tricover::PairCache* pairCache(const tricover::Polygon& a, const void* place_a, const tricover::Polygon& b,
-                               const void* place_b);
+/// still ask. A pair that is asked again and again gets a cache, whichever others take turns with it, unless it shares
+/// a slot of the largest table.
+tricover::PairCache* pairCache(std::uint64_t id_a, const void* place_a, std::uint64_t id_b, const void* place_b);
 
 /// How much memory this thread's table takes, for tests.
 std::size_t pairCacheBytes();

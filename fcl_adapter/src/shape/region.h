@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -37,7 +38,7 @@ inline Eigen::AlignedBox2d boxOf(const Region& region) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (region.polygon->isComplement())
     return {tricover::Vec2(-kInfinity, -kInfinity), tricover::Vec2(kInfinity, kInfinity)};
-  return grown(boundsOf(*region.polygon, region.pose), region.margin);
+  return grown(boundsOf(*region.polygon, region.pose), std::max(region.margin, 0.0));
 }
 
 /// The region of another geometry than a polygon, how far it may be from the true one, and where it comes from.

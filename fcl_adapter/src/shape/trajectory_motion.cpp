@@ -65,10 +65,20 @@ Trajectory trajectoryOf(const std::vector<TimedMotion<S>>& timed, double& z) {
 
 [[noreturn]] void refuseOwnPairs() {
   refuseQuestion("motion", "FCL's conservative advancement and its boxes of motions know no TrajectoryMotion",
-                 kSampleInstead);
+                 "use fcl::continuousCollide with CCDC_NAIVE, which asks collide at several times");
 }
 
 }  // namespace
+
+template <typename S>
+void requireSampled(const fcl::MotionBase<S>& motion, const fcl::ContinuousCollisionRequest<S>& request) {
+  if (typeid(motion) != typeid(TrajectoryMotion<S>)) return;
+  if (request.ccd_solver_type != fcl::CCDC_NAIVE) refuseOwnPairs();
+  const Trajectory& known = static_cast<const TrajectoryMotion<S>&>(motion).trajectory();
+  if (known.begin() > 0 || known.end() < 1)
+    refuseQuestion("motion", "its body is absent for a part of the time, and FCL would let it rest then",
+                   "make one of the two geometries a PolygonShape");
+}
 
 template <typename S>
 TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z,
@@ -117,5 +127,7 @@ void TrajectoryMotion<S>::getTaylorModel(fcl::TMatrix3<S>&, fcl::TVector3<S>&) c
 
 template class TrajectoryMotion<float>;
 template class TrajectoryMotion<double>;
+template void requireSampled(const fcl::MotionBase<float>&, const fcl::ContinuousCollisionRequest<float>&);
+template void requireSampled(const fcl::MotionBase<double>&, const fcl::ContinuousCollisionRequest<double>&);
 
 }  // namespace tricover_fcl
