@@ -111,7 +111,7 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
       for (int lane = block.count; lane < kLanes; ++lane) ASSERT_LT(block.along[lane], -1e20f) << "an unused lane";
     }
     ASSERT_TRUE(data.ringCount() == 1 || !hierarchy.root_spanned);
-    const auto edges = static_cast<std::size_t>(polygon.edgeCount());
+    const std::size_t edges = data.path.size() - data.ringCount();
     EXPECT_LE(hierarchy.blocks.size(), std::max<std::size_t>(edges / 2, 1));
     EXPECT_EQ(boxes, edges + hierarchy.blocks.size() - 1);
     EXPECT_EQ(static_cast<std::size_t>(std::count(leaves.begin(), leaves.end(), 1)), edges);
