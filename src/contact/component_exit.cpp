@@ -62,19 +62,14 @@ Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const Separ
   return exit;
 }
 
-/// The edge that separates last by a piece, at a place across the normal: at a vertex, the flatter one there.
-std::ptrdiff_t ComponentExits::edgeOf(const OutlinePiece* piece, const Vec2& normal, double place) const {
-  if (piece == nullptr) return -1;
-  const PolygonData& polygon = polygonOf(pair_, piece->side);
-  const Vec2 aside(-normal.y(), normal.x());
-  for (const bool at_end : {false, true}) {
-    const Vec2& at = at_end ? piece->edge.w : piece->edge.v;
-    if (std::abs(aside.dot(at) - place) > 4 * frame_.error()) continue;
-    const auto edge = static_cast<std::size_t>(piece->position);
-    return flatter(piece->side, vertexPoint(polygon, piece->side, at_end ? edgeAfter(polygon, edge) : edge, at),
-                   normal);
-  }
-  return piece->position;
+/// The edge that separates last by a piece: at the end that does, the flatter one there.
+std::ptrdiff_t ComponentExits::edgeOf(const OutlinePiece& piece, const Vec2& normal) const {
+  const double up = (piece.side == 0 ? 1 : -1) * normal.dot(piece.way());
+  if (std::abs(up) <= ExitLength::kSameAngle * piece.way().norm()) return piece.position;
+  const PolygonData& polygon = polygonOf(pair_, piece.side);
+  const auto edge = static_cast<std::size_t>(piece.position);
+  const std::size_t end = up > 0 ? edgeAfter(polygon, edge) : edge;
+  return flatter(piece.side, vertexPoint(polygon, piece.side, end, up > 0 ? piece.edge.w : piece.edge.v), normal);
 }
 
 /// The shortest translation by which b leaves a on every line through the component.
@@ -84,12 +79,12 @@ Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
   const auto discOf = [&](const PolygonData& polygon, const Vec2& centre) {
     return ExitLength::Disc{centre, polygon.radius / frame_.unit() + (polygon.fill.is_complement ? 4 * both : 0)};
   };
-  const ShortestExit shortest = shortestExit(component.pieces, discOf(pair_.a, frame_.originOfA()),
-                                             discOf(pair_.b, Vec2::Zero()), frame_.error());
+  const OutlineExit shortest = shortestExit(component.pieces, discOf(pair_.a, frame_.originOfA()),
+                                            discOf(pair_.b, Vec2::Zero()), frame_.error());
   Exit exit{shortest.normal, shortest.length, {-1, -1}, shortest.of_a ? 0 : 1};
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
-  for (const OutlinePiece* piece : {shortest.top, shortest.bottom})
-    if (piece != nullptr) exit.edges[piece->side] = edgeOf(piece, exit.normal, shortest.place);
+  for (const OutlinePiece* piece : {shortest.found.top, shortest.found.bottom})
+    if (piece != nullptr) exit.edges[piece->side] = edgeOf(*piece, exit.normal);
   completeEdges(component, exit);
   return exit;
 }

@@ -7,6 +7,7 @@
 
 #include "contact/component_hull.h"
 #include "contact/overlap_components.h"
+#include "contact/shortest_exit.h"
 #include "penetration/separating_axes.h"
 
 namespace tricover::detail {
@@ -46,7 +47,7 @@ class ComponentExits {
 
  private:
   std::ptrdiff_t flatter(int side, const BoundaryPoint& p, const Vec2& normal) const;
-  std::ptrdiff_t edgeOf(const OutlinePiece* piece, const Vec2& normal, double place) const;
+  std::ptrdiff_t edgeOf(const OutlinePiece& piece, const Vec2& normal) const;
   Exit byOutlines(const OverlapComponent& component) const;
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;

@@ -21,6 +21,8 @@ struct OutlinePiece {
 
   Vec2 way() const { return edge.w - edge.v; }
   double length() const { return way().norm() * (on.high - on.low); }
+  /// Whether the region is on the left (turn > 0), or on the right.
+  bool isInside(double turn) const { return turn > 0 ? left : right; }
 };
 
 /// How far b must move along a direction until it has left a in one component of the overlap: on each line along the
@@ -41,20 +43,33 @@ class ExitLength {
     const OutlinePiece *top = nullptr, *bottom = nullptr;
     double place = 0, width = 0;  ///< `width` is that of lines like it
     bool is_top_corner = false;  ///< a has a corner there: what b must pass is the line of its own edge
+    Vec2 inside = Vec2::Zero();  ///< a point of the component on a line beside
   };
 
   /// Distances below `error` count as none.
   ExitLength(const std::vector<OutlinePiece>& pieces, const Disc& a, const Disc& b, double error)
-      : pieces_(pieces), a_(a), b_(b), error_(error) {}
+      : pieces_(pieces), a_(a), b_(b), error_(error), steps_left_(kFewSteps + kStepsAPiece * pieces.size()) {}
 
-  /// `direction` is a unit vector. May end early, with a length that is more than `enough`.
+  /// Edges that lean by less are across a direction.
+  static constexpr double kSameAngle = 0x1p-40;
+
+  // Directions are unit vectors.
+  /// Whether so many steps were taken that no other length is known.
+  bool isSpent() const { return is_spent_; }
+  /// May end early, with a length that is more than `enough`. The length is infinite once they are spent.
   Result along(const Vec2& direction, double enough);
+  /// At least that length, in O(n): between the ends of all edges. Its place isn't known.
+  Result atMost(const Vec2& direction) const;
+  /// At most that length, but for rounding, in O(n): on the line through a point of the component.
+  double throughPoint(const Vec2& point, const Vec2& direction) const;
 
  private:
   /// An edge as seen along the direction: heights over places across it.
   struct Seen {
     double heightAt(double place) const;
-    bool spans(double from, double to, double tiny) const { return low <= from + tiny && high >= to - tiny; }
+    bool isPiece(double from, double to, double error) const {
+      return piece_low <= from + error && piece_high >= to - error;
+    }
 
     const OutlinePiece* piece;
     double low, high;            ///< places of the edge's ends
@@ -62,29 +77,22 @@ class ExitLength {
     double piece_low, piece_high;
     bool is_exit, is_entry;      ///< a ends, or b begins, here
     bool is_across;              ///< it is a right angle to the direction
+    double steepness, height;    ///< `height` is where lines are looked at
   };
   void see(const Vec2& direction);
-  void look(double from, double to, Result& result) const;
+  void look(double from, double to, Result& result);
+
+  static constexpr std::size_t kFewSteps = 4096, kStepsAPiece = 16;
 
   const std::vector<OutlinePiece>& pieces_;
   const Disc a_, b_;
   const double error_;
   std::vector<Seen> seen_;      ///< from low places to high ones
   std::vector<double> places_;  ///< where edges or pieces begin or end
-  std::vector<const Seen*> active_;
+  std::vector<Seen*> active_;
   double highest_ = 0, lowest_ = 0;
+  std::size_t steps_left_;
+  bool is_spent_ = false;
 };
-
-/// The shortest exit, along `normal`, that is found from the normals of the edges, their sum and where two edges are
-/// left at once. Among exits that are equally long but for rounding, the one that leads b's origin away from a's.
-struct ShortestExit {
-  Vec2 normal = Vec2::UnitX();
-  double length = std::numeric_limits<double>::infinity();
-  const OutlinePiece *top = nullptr, *bottom = nullptr;
-  double place = 0;
-  bool of_a = true;  ///< it leads across an edge of a, rather than of b
-};
-ShortestExit shortestExit(const std::vector<OutlinePiece>& pieces, const ExitLength::Disc& a, const ExitLength::Disc& b,
-                          double error);
 
 }  // namespace tricover::detail

@@ -156,15 +156,18 @@ class Grouping : OverlapArcs {
       if (ring.node >= 0)
         for (std::size_t e = begin; e < end; ++e)
           addPiece(side, e, {0, 1}, nodes_[static_cast<std::size_t>(ring.node)].component, components);
+      double reach = 0;  // stops may be within others
       for (std::size_t k = ring.begin; ring.node < 0 && k < ring.end; ++k) {
         const Stop &stop = own.stops[k], &next = own.stops[k + 1 < ring.end ? k + 1 : ring.begin];
+        const bool is_same_edge = k > ring.begin && own.stops[k - 1].edge == stop.edge;
+        reach = is_same_edge ? std::max(reach, stop.span.high) : stop.span.high;
         if (!stop.joined) continue;
         const std::size_t component = nodes_[stop.node].component;
         if (stop.edge == next.edge && k + 1 < ring.end) {
-          addPiece(side, stop.edge, {stop.span.high, next.span.low}, component, components);
+          addPiece(side, stop.edge, {reach, next.span.low}, component, components);
           continue;
         }
-        addPiece(side, stop.edge, {stop.span.high, 1}, component, components);
+        addPiece(side, stop.edge, {reach, 1}, component, components);
         const auto after = [&](std::size_t e) { return e + 1 < end ? e + 1 : begin; };
         for (std::size_t e = after(stop.edge); e != next.edge; e = after(e))
           addPiece(side, e, {0, 1}, component, components);
