@@ -79,8 +79,14 @@ Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
   const auto discOf = [&](const PolygonData& polygon, const Vec2& centre) {
     return ExitLength::Disc{centre, polygon.radius / frame_.unit() + (polygon.fill.is_complement ? 4 * both : 0)};
   };
-  const OutlineExit shortest = shortestExit(component.pieces, discOf(pair_.a, frame_.originOfA()),
-                                            discOf(pair_.b, Vec2::Zero()), frame_.error());
+  const ExitLength::Disc a = discOf(pair_.a, frame_.originOfA()), b = discOf(pair_.b, Vec2::Zero());
+  OutlineExit shortest = shortestExit(component.pieces, a, b, frame_.error());
+  std::vector<OutlinePiece> pieces;
+  if (shortest.is_doubtful) {
+    pieces = component.pieces;
+    pieces.insert(pieces.end(), component.around.begin(), component.around.end());
+    shortest = shortestExit(pieces, a, b, frame_.error());
+  }
   Exit exit{shortest.normal, shortest.length, {-1, -1}, shortest.of_a ? 0 : 1};
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
   for (const OutlinePiece* piece : {shortest.found.top, shortest.found.bottom})

@@ -11,14 +11,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-double ExitLength::Seen::heightAt(double place) const {
-  const double t = std::clamp((place - low) / (high - low), 0.0, 1.0);
-  return t < 0.5 ? low_height + t * rise : low_height + rise + (t - 1) * rise;
-}
-
 void ExitLength::see(const Vec2& direction) {
   const Vec2 aside(-direction.y(), direction.x());
   seen_.clear();
+  order_.clear();
   places_.clear();
   highest_ = direction.dot(a_.centre) + a_.radius;
   lowest_ = direction.dot(b_.centre) - b_.radius;
@@ -30,15 +26,17 @@ void ExitLength::see(const Vec2& direction) {
     const bool above = goes_up ? piece.right : piece.left, below = goes_up ? piece.left : piece.right;
     const double from = v + piece.on.low * (w - v), to = v + piece.on.high * (w - v);
     const double rise = goes_up ? height_w - height_v : height_v - height_w;
-    seen_.push_back({&piece, std::min(v, w), std::max(v, w), goes_up ? height_v : height_w, rise, std::min(from, to),
+    seen_.push_back({&piece, std::min(v, w), std::max(v, w), goes_up ? height_v : height_w,
+                     goes_up ? height_w : height_v, rise / std::abs(w - v), std::min(from, to),
                      std::max(from, to), piece.side == 0 && !above, piece.side == 1 && !below,
-                     std::abs(rise) <= kSameAngle * std::abs(w - v) + error_, std::abs(rise / (w - v)), 0});
+                     std::abs(rise) <= kSameAngle * std::abs(w - v) + error_, 0});
     const Seen& seen = seen_.back();
-    places_.insert(places_.end(), {seen.low, seen.high});
+    order_.emplace_back(seen.low, seen_.size() - 1);
+    places_.push_back(seen.high);
     if (seen.piece_low > seen.low + error_) places_.push_back(seen.piece_low);
     if (seen.piece_high < seen.high - error_) places_.push_back(seen.piece_high);
   }
-  std::sort(seen_.begin(), seen_.end(), [](const Seen& p, const Seen& q) { return p.low < q.low; });
+  std::sort(order_.begin(), order_.end());
   std::sort(places_.begin(), places_.end());
 }
 
@@ -47,8 +45,8 @@ void ExitLength::look(double from, double to, Result& result) {
   const double middle = 0.5 * from + 0.5 * to, same = 4 * error_;
   for (Seen* seen : active_) seen->height = seen->heightAt(middle);
   for (const Seen* seen : active_) {
-    if (!seen->isPiece(from, to, error_)) continue;
-    const double rounding = same * (1 + seen->steepness);
+    if (!seen->isPiece(from, to, thin_ / 2)) continue;
+    const double rounding = same * (1 + std::abs(seen->slope));
     const Seen *top = nullptr, *bottom = nullptr;
     double top_height = kInfinity, bottom_height = -kInfinity;
     for (const Seen* edge : active_) {
@@ -66,7 +64,7 @@ void ExitLength::look(double from, double to, Result& result) {
       const double width = to - from;
       if (!(length > result.length + same || (length >= result.length - same && width > result.width))) continue;
       const auto endsThere = [&](const Seen* edge) {
-        return edge == nullptr || std::abs(place - edge->low) <= 2 * error_ || std::abs(place - edge->high) <= 2 * error_;
+        return edge == nullptr || std::abs(place - edge->low) <= thin_ || std::abs(place - edge->high) <= thin_;
       };
       result.length = std::max(length, result.length);
       result.width = width;
@@ -74,7 +72,7 @@ void ExitLength::look(double from, double to, Result& result) {
       result.bottom = bottom != nullptr ? bottom->piece : nullptr;
       result.place = place;
       result.is_top_corner = endsThere(top) && bottom != nullptr;
-      const auto isBeside = [&](const Seen* edge) { return edge != nullptr && edge->isPiece(from, to, error_); };
+      const auto isBeside = [&](const Seen* edge) { return edge != nullptr && edge->isPiece(from, to, thin_ / 2); };
       const double height = isBeside(top) && isBeside(bottom) ? 0.5 * top_height + 0.5 * bottom_height : seen->height;
       result.inside = Vec2(middle, height);
     }
@@ -93,10 +91,10 @@ ExitLength::Result ExitLength::atMost(const Vec2& direction) const {
   return result;
 }
 
-double ExitLength::throughPoint(const Vec2& point, const Vec2& direction) const {
+ExitLength::Through ExitLength::throughPoint(const Vec2& point, const Vec2& direction) const {
   const Vec2 aside(-direction.y(), direction.x());
   const double rounding = 4 * error_;
-  double top = direction.dot(a_.centre - point) + a_.radius, bottom = direction.dot(b_.centre - point) - b_.radius;
+  double top = kInfinity, bottom = -kInfinity;
   for (const OutlinePiece& piece : pieces_) {
     const Vec2 from = piece.edge.v - point, to = piece.edge.w - point;
     const double v = aside.dot(from), w = aside.dot(to);
@@ -105,28 +103,38 @@ double ExitLength::throughPoint(const Vec2& point, const Vec2& direction) const 
     if (piece.side == 0 && height >= -rounding && !piece.isInside(-turn)) top = std::min(top, height);
     if (piece.side == 1 && height <= rounding && !piece.isInside(turn)) bottom = std::max(bottom, height);
   }
-  return top - bottom;
+  const double thickness = (std::isfinite(top) ? top : 0) - (std::isfinite(bottom) ? bottom : 0);
+  if (!std::isfinite(top)) top = direction.dot(a_.centre - point) + a_.radius;
+  if (!std::isfinite(bottom)) bottom = direction.dot(b_.centre - point) - b_.radius;
+  return {top - bottom, thickness};
+}
+
+void ExitLength::spend(std::size_t steps) {
+  is_spent_ = is_spent_ || steps_left_ < steps;
+  steps_left_ -= is_spent_ ? 0 : steps;
 }
 
 ExitLength::Result ExitLength::along(const Vec2& direction, double enough) {
   see(direction);
   Result result;
   active_.clear();
-  auto next = seen_.begin();
-  for (std::size_t k = 0; k < places_.size();) {
-    const double from = places_[k];
-    while (k < places_.size() && !(places_[k] > from + 2 * error_)) ++k;
-    if (k == places_.size()) break;
+  spend(kStepsToSee * pieces_.size());
+  auto next = order_.begin();
+  auto place = places_.begin();
+  double from = -kInfinity;
+  while (place != places_.end() && !is_spent_ && !(result.length > enough)) {
     active_.erase(std::remove_if(active_.begin(), active_.end(),
-                                 [&](const Seen* seen) { return seen->high <= from + error_; }),
+                                 [&](const Seen* seen) { return seen->high <= from + thin_ / 2; }),
                   active_.end());
-    for (; next != seen_.end() && next->low <= from + error_; ++next) active_.push_back(&*next);
-    is_spent_ = steps_left_ < active_.size() * active_.size();
-    if (is_spent_) result.length = kInfinity;
-    if (is_spent_ || result.length > enough) break;
-    steps_left_ -= active_.size() * active_.size();
-    look(from, places_[k], result);
+    for (; next != order_.end() && next->first <= from + thin_ / 2; ++next) active_.push_back(&seen_[next->second]);
+    while (place != places_.end() && !(*place > from + thin_)) ++place;
+    if (place == places_.end()) break;
+    const double to = next != order_.end() ? std::min(*place, next->first) : *place;
+    spend(active_.size() * active_.size());
+    look(from, to, result);
+    from = to;
   }
+  if (is_spent_) result.length = kInfinity;
   result.inside = result.inside.x() * Vec2(-direction.y(), direction.x()) + result.inside.y() * direction;
   return result;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "contact/crossings.h"
@@ -48,7 +50,7 @@ class ExitLength {
 
   /// Distances below `error` count as none.
   ExitLength(const std::vector<OutlinePiece>& pieces, const Disc& a, const Disc& b, double error)
-      : pieces_(pieces), a_(a), b_(b), error_(error), steps_left_(kFewSteps + kStepsAPiece * pieces.size()) {}
+      : pieces_(pieces), a_(a), b_(b), error_(error), thin_(16 * error), steps_left_(kFewSteps + kStepsAPiece * pieces.size()) {}
 
   /// Edges that lean by less are across a direction.
   static constexpr double kSameAngle = 0x1p-40;
@@ -60,35 +62,45 @@ class ExitLength {
   Result along(const Vec2& direction, double enough);
   /// At least that length, in O(n): between the ends of all edges. Its place isn't known.
   Result atMost(const Vec2& direction) const;
-  /// At most that length, but for rounding, in O(n): on the line through a point of the component.
-  double throughPoint(const Vec2& point, const Vec2& direction) const;
+  /// At most that length, but for rounding, in O(n): on the line through a point of the component. And between the ends
+  /// that are known there.
+  struct Through {
+    double length, thickness;
+  };
+  Through throughPoint(const Vec2& point, const Vec2& direction) const;
 
  private:
   /// An edge as seen along the direction: heights over places across it.
   struct Seen {
-    double heightAt(double place) const;
+    double heightAt(double place) const {
+      return place - low < high - place ? low_height + std::max(place - low, 0.0) * slope
+                                        : high_height - std::max(high - place, 0.0) * slope;
+    }
     bool isPiece(double from, double to, double error) const {
       return piece_low <= from + error && piece_high >= to - error;
     }
 
     const OutlinePiece* piece;
     double low, high;            ///< places of the edge's ends
-    double low_height, rise;     ///< the height at `low`, and how much more it is at `high`
+    double low_height, high_height, slope;
     double piece_low, piece_high;
     bool is_exit, is_entry;      ///< a ends, or b begins, here
     bool is_across;              ///< it is a right angle to the direction
-    double steepness, height;    ///< `height` is where lines are looked at
+    double height;               ///< where lines are looked at
   };
   void see(const Vec2& direction);
+  void spend(std::size_t steps);
   void look(double from, double to, Result& result);
 
-  static constexpr std::size_t kFewSteps = 4096, kStepsAPiece = 16;
+  static constexpr std::size_t kFewSteps = 4096, kStepsAPiece = 24, kStepsToSee = 16;
 
   const std::vector<OutlinePiece>& pieces_;
   const Disc a_, b_;
   const double error_;
-  std::vector<Seen> seen_;      ///< from low places to high ones
-  std::vector<double> places_;  ///< where edges or pieces begin or end
+  const double thin_;  ///< lines in a range that is no wider don't count: ends of pieces are off by some errors
+  std::vector<Seen> seen_;
+  std::vector<std::pair<double, std::size_t>> order_;  ///< of those, by their low places
+  std::vector<double> places_;                         ///< where edges end, or pieces begin or end within them
   std::vector<Seen*> active_;
   double highest_ = 0, lowest_ = 0;
   std::size_t steps_left_;

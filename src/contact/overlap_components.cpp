@@ -163,6 +163,9 @@ class Grouping : OverlapArcs {
         reach = is_same_edge ? std::max(reach, stop.span.high) : stop.span.high;
         if (!stop.joined) continue;
         const std::size_t component = nodes_[stop.node].component;
+        if (!own.stops[k > ring.begin ? k - 1 : ring.end - 1].joined)
+          addPiece(side, edgeBefore(own.polygon, stop.edge), {0, 0}, component, components);
+        if (!next.joined) addPiece(side, edgeAfter(own.polygon, next.edge), {0, 0}, component, components);
         if (stop.edge == next.edge && k + 1 < ring.end) {
           addPiece(side, stop.edge, {reach, next.span.low}, component, components);
           continue;
@@ -197,14 +200,16 @@ class Grouping : OverlapArcs {
                 std::vector<OverlapComponent>& components) const {
     if (component == kNone || components[component].crossings.empty()) return;
     OutlinePiece piece;
-    if (makePiece(side, edge, on, piece)) components[component].pieces.push_back(piece);
+    if (!makePiece(side, edge, on, piece)) return;
+    (on.high > on.low ? components[component].pieces : components[component].around).push_back(piece);
   }
 
   /// False if it is no longer than rounding.
   bool makePiece(int side, std::size_t edge, const Span& on, OutlinePiece& piece) const {
     const Ends all = ends(side, edge);
     piece = {all, on, side, static_cast<std::int32_t>(edge), false, false};
-    if (!(on.high > on.low && piece.length() > 4 * frame_.error())) return false;
+    const double length = on.high > 0 ? piece.length() : piece.way().norm();
+    if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
     const PolygonData& polygon = sides_[side].polygon;
     const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
     if (region != 0) {

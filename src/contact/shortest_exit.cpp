@@ -58,12 +58,14 @@ class ExitSearch {
     double thinnest = kInfinity;
     for (const Vec2& normal : normals_) {
       if (lengths_.isSpent()) break;
-      const double through = is_inside_known_ ? lengths_.throughPoint(inside_, normal) : 0;
-      thinnest = std::min(thinnest, through);
-      if (!(through > best_.length + same_)) descend(normal);
+      const ExitLength::Through through =
+          is_inside_known_ ? lengths_.throughPoint(inside_, normal) : ExitLength::Through{0, kInfinity};
+      thinnest = std::min(thinnest, through.thickness);
+      if (!(through.length > best_.length + same_)) descend(normal);
     }
     // Where the component is much thinner somewhere, more than one edge is in the way.
-    if ((!best_.is_across || thinnest < 0.5 * best_.length) && !lengths_.isSpent()) tryPairs();
+    if (thinnest < (best_.is_across ? 0.5 : 0.9) * best_.length && !lengths_.isSpent()) tryPairs();
+    best_.is_doubtful = thinnest < 0.5 * best_.length || best_.found.top == nullptr || best_.found.bottom == nullptr;
     if (!(best_.length < kInfinity))
       for (const Vec2& normal : normals_) offer(normal, lengths_.atMost(normal));
     return best_;
@@ -146,7 +148,7 @@ class ExitSearch {
       return piece != nullptr && std::abs(piece->way().dot(direction)) <= ExitLength::kSameAngle * piece->way().norm();
     };
     const bool of_a = isAcross(found.top);
-    best_ = {direction, found.length, found, of_a || isAcross(found.bottom), of_a || !isAcross(found.bottom)};
+    best_ = {direction, found.length, found, of_a || isAcross(found.bottom), of_a || !isAcross(found.bottom), false};
   }
 
   const std::vector<OutlinePiece>& pieces_;

@@ -15,6 +15,8 @@ struct OutlineExit {
   ExitLength::Result found;
   bool is_across = false;  ///< it leads across an edge
   bool of_a = true;        ///< ... of a, rather than of b
+  /// The component is much thinner somewhere, or a region's end isn't known: more edges may tell of a shorter one.
+  bool is_doubtful = false;
 };
 
 /// The shortest one that is found from the normals of the edges and their sum, and where two edges are passed at once.
