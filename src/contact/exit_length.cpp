@@ -115,10 +115,13 @@ void ExitLength::spend(std::size_t steps) {
 }
 
 ExitLength::Result ExitLength::along(const Vec2& direction, double enough) {
-  see(direction);
   Result result;
-  active_.clear();
+  result.length = kInfinity;
   spend(kStepsToSee * pieces_.size());
+  if (is_spent_) return result;
+  see(direction);
+  result.length = -kInfinity;
+  active_.clear();
   auto next = order_.begin();
   auto place = places_.begin();
   double from = -kInfinity;

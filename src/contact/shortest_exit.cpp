@@ -46,6 +46,9 @@ std::size_t sectorOf(const Vec2& normal) {
   return (is_flat ? 0u : 6u) + (along > 0 ? 0u : 3u) + third;
 }
 
+/// Two edges are passed at once, and more edges are looked at, where a component has no more pieces.
+constexpr std::size_t kMostPiecesOfCorners = 48;
+
 class ExitSearch {
  public:
   ExitSearch(const std::vector<OutlinePiece>& pieces, const ExitLength::Disc& a, const ExitLength::Disc& b,
@@ -64,8 +67,11 @@ class ExitSearch {
       if (!(through.length > best_.length + same_)) descend(normal);
     }
     // Where the component is much thinner somewhere, more than one edge is in the way.
-    if (thinnest < (best_.is_across ? 0.5 : 0.9) * best_.length && !lengths_.isSpent()) tryPairs();
-    best_.is_doubtful = thinnest < 0.5 * best_.length || best_.found.top == nullptr || best_.found.bottom == nullptr;
+    const bool is_small = pieces_.size() <= kMostPiecesOfCorners;
+    if (is_small && thinnest < (best_.is_across ? 0.5 : 0.9) * best_.length) tryPairs();
+    const bool has_ends = best_.found.top != nullptr && best_.found.bottom != nullptr;
+    best_.is_doubtful = is_small && (thinnest < 0.5 * best_.length || !has_ends);
+    if (!is_small && !has_ends) best_ = {};
     if (!(best_.length < kInfinity))
       for (const Vec2& normal : normals_) offer(normal, lengths_.atMost(normal));
     return best_;

@@ -154,5 +154,20 @@ TEST(ContactCorners, PushingByThemAgainAndAgainComesToRest) {
   EXPECT_GE(at_once, wayed / 2);
 }
 
+/// A ring that uses an edge twice: the depth changes by no more than the pose does, as far as that moves b.
+TEST(ContactCorners, AreNoNoiseWhereAnEdgeIsUsedTwice) {
+  const Polygon a({{{3, -1}, {1, 0}, {1, 3}, {1, 2}, {1, -1}, {-2, -1}, {0, -2}}}),
+      b({{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}});
+  const std::vector<Contact> middle = contacts(a, kHere, b, pose(1, 1.75, 0.8725), local());
+  ASSERT_FALSE(middle.empty());
+  for (int i = 0; i < 400; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const auto off = [&] { return random.real(-1e-9, 1e-9); };
+    const std::vector<Contact> found = contacts(a, kHere, b, pose(1 + off(), 1.75 + off(), 0.8725 + off()), local());
+    ASSERT_EQ(found.size(), middle.size()) << i;
+    EXPECT_NEAR(found[0].depth, middle[0].depth, 1e-7) << i;
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support
