@@ -27,8 +27,8 @@ void ExitLength::see(const Vec2& direction) {
     const double from = v + piece.on.low * (w - v), to = v + piece.on.high * (w - v);
     const double rise = goes_up ? height_w - height_v : height_v - height_w;
     seen_.push_back({&piece, std::min(v, w), std::max(v, w), goes_up ? height_v : height_w,
-                     goes_up ? height_w : height_v, rise / std::abs(w - v), std::min(from, to),
-                     std::max(from, to), piece.side == 0 && !above, piece.side == 1 && !below,
+                     goes_up ? height_w : height_v, rise / std::abs(w - v), std::min(from, to), std::max(from, to),
+                     piece.side == 0 && !above, piece.side == 1 && !below,
                      std::abs(rise) <= kSameAngle * std::abs(w - v) + error_, 0});
     const Seen& seen = seen_.back();
     order_.emplace_back(seen.low, seen_.size() - 1);
@@ -56,8 +56,8 @@ void ExitLength::look(double from, double to, Result& result) {
     }
     const Seen* const ends[2] = {top, bottom};
     for (const double place : {from, to}) {
-      const double length = (top != nullptr ? top->heightAt(place) : highest_) -
-                            (bottom != nullptr ? bottom->heightAt(place) : lowest_);
+      const double length =
+          (top != nullptr ? top->heightAt(place) : highest_) - (bottom != nullptr ? bottom->heightAt(place) : lowest_);
       for (const int side : {0, 1})
         if (ends[side] != nullptr && ends[side]->is_across) result.own[side] = std::max(result.own[side], length);
       // Among lines that are equally long but for rounding, one where many are.

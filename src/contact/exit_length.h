@@ -44,13 +44,18 @@ class ExitLength {
     /// On the longest line: where a ends and where b begins; null for an end. And its place across the direction.
     const OutlinePiece *top = nullptr, *bottom = nullptr;
     double place = 0, width = 0;  ///< `width` is that of lines like it
-    bool is_top_corner = false;  ///< a has a corner there: what b must pass is the line of its own edge
-    Vec2 inside = Vec2::Zero();  ///< a point of the component on a line beside
+    bool is_top_corner = false;   ///< a has a corner there: what b must pass is the line of its own edge
+    Vec2 inside = Vec2::Zero();   ///< a point of the component on a line beside
   };
 
   /// Distances below `error` count as none.
   ExitLength(const std::vector<OutlinePiece>& pieces, const Disc& a, const Disc& b, double error)
-      : pieces_(pieces), a_(a), b_(b), error_(error), thin_(16 * error), steps_left_(kFewSteps + kStepsAPiece * pieces.size()) {}
+      : pieces_(pieces),
+        a_(a),
+        b_(b),
+        error_(error),
+        thin_(16 * error),
+        steps_left_(kFewSteps + kStepsAPiece * pieces.size()) {}
 
   /// Edges that lean by less are across a direction.
   static constexpr double kSameAngle = 0x1p-40;
@@ -81,12 +86,12 @@ class ExitLength {
     }
 
     const OutlinePiece* piece;
-    double low, high;            ///< places of the edge's ends
+    double low, high;  ///< places of the edge's ends
     double low_height, high_height, slope;
     double piece_low, piece_high;
-    bool is_exit, is_entry;      ///< a ends, or b begins, here
-    bool is_across;              ///< it is a right angle to the direction
-    double height;               ///< where lines are looked at
+    bool is_exit, is_entry;  ///< a ends, or b begins, here
+    bool is_across;          ///< it is a right angle to the direction
+    double height;           ///< where lines are looked at
   };
   void see(const Vec2& direction);
   void spend(std::size_t steps);

@@ -139,8 +139,9 @@ TEST(ContactCorners, PushingByThemAgainAndAgainComesToRest) {
     bool has_way = false;
     for (int k = 0; k < 64 && !has_way; ++k)
       for (const double share : {0.5, 1.0, 1.5, 2.0})
-        has_way = has_way || !collide(c.a, c.pose_a, c.b, moved(c.pose_b, share * found[0].depth * direction(0.098 * k)),
-                                      {0, 0, Touching::Allowed});
+        has_way =
+            has_way || !collide(c.a, c.pose_a, c.b, moved(c.pose_b, share * found[0].depth * direction(0.098 * k)),
+                                {0, 0, Touching::Allowed});
     if (!has_way) continue;
     ++wayed;
     const int pushes = pushesUntilFree(c, 10);
