@@ -303,9 +303,8 @@ class DepthSearch {
     if (-cell.least + search_.upper <= precision_) return;
     if (is_new && ++cell.looks < kMostLooks) return search_.push(cell);  // to look at the new peak
     if (!is_in_part && part_.nearest(place).distance > reach) return;
-    const Vec2& apex = cell.corner[(longestSideOf(cell) + 2) % 3];
-    const Ends side{cell.corner[longestSideOf(cell)], cell.corner[(longestSideOf(cell) + 1) % 3]};
-    const bool are_all = gather(side.v, side.w, (nearestOnSegment(apex, side.v, side.w) - apex).norm() - cell.least);
+    const std::size_t side = longestSideOf(cell);
+    const bool are_all = gather(cell.corner[side], cell.corner[(side + 1) % 3], heightOf(cell) - cell.least);
     if (are_all && leadsAway()) return;
     const std::size_t* const crossing = are_all ? edgeAcross(cell) : nullptr;
     if (are_all && crossing == nullptr && (!is_outside || leadsAwayFrom(cell))) return;
@@ -376,15 +375,22 @@ class DepthSearch {
   /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
   void cut(const Piece& cell, const std::size_t* edge) {
     const std::size_t longest = longestSideOf(cell);
-    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 8 * frame_.error())) return;
+    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 0.5 * frame_.error())) return;
     Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3], along = cell.corner[(longest + 2) % 3] - v;
     if (edge != nullptr) v = area_.vertex(*edge), along = area_.vertex(*edge + 1) - v;
     std::array<double, 3> beside;
     for (std::size_t c = 0; c < 3; ++c) {
       beside[c] = cross(along, cell.corner[c] - v);
-      if (edge == nullptr && c == (longest + 2) % 3) beside[c] = 0;
+      if (std::abs(beside[c]) <= 2 * frame_.error() * along.norm()) beside[c] = 0;
     }
     for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
+  }
+
+  static double heightOf(const Piece& cell) {
+    const std::size_t side = longestSideOf(cell);
+    const Vec2 &v = cell.corner[side], along = cell.corner[(side + 1) % 3] - v;
+    const double length = along.norm();
+    return length > 0 ? std::abs(cross(along, cell.corner[(side + 2) % 3] - v)) / length : 0;
   }
 
   /// What is on one side of a line, as a fan.
@@ -401,6 +407,7 @@ class DepthSearch {
     for (std::size_t i = 2; i < count; ++i) {
       Piece half = cell;
       half.corner = {kept[0], kept[i - 1], kept[i]};
+      if (heightOf(half) <= 0.25 * frame_.error()) continue;  // but for rounding the neighbours hold it
       half.looks = 0;
       half.place = (kept[0] + kept[i - 1] + kept[i]) / 3;
       search_.push(half);

@@ -131,7 +131,9 @@ TEST(SignedDistance, MovingAlongTheNormalIncreasesIt) {
     apart += before.distance > 0;
     shallower += before.distance < 0 && after > before.distance;
     ASSERT_GE(after, before.distance + (before.distance < 0 ? -by : by) - 1e-13) << i << ", " << before.distance;
-    if (before.distance < 0) ASSERT_LE(after, before.distance + by + 1e-13) << i;
+    if (before.distance < 0) {
+      ASSERT_LE(after, before.distance + by + 1e-13) << i;
+    }
   }
   EXPECT_GT(apart, cases / 5);
   EXPECT_LT(apart, 4 * cases / 5 + 1);
