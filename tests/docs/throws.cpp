@@ -321,6 +321,7 @@ TEST(Throws, SceneMotions) {
   for (const double bad : {kNaN, kInfinity}) {
     THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, still, {bad}));
     THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, path, {0, bad}));
+    THROWS(scene.h, Scene::firstExit, std::invalid_argument, scene.firstExit(square, path, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, still}}, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, path}}, {0, bad}));
     THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, path}}, {bad}));

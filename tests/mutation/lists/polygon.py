@@ -14,7 +14,7 @@ MUTATIONS = [
     ("src/polygon/polygon.cpp", "square = larger(dx * dx + dy * dy, square);", "square = smaller(dx * dx + dy * dy, square + 1e-3);", "bounding radius too small"),
     ("src/polygon/convexity.cpp", "(at <= along && at < way.squaredNorm() ? low : high) = middle;", "high = middle;", "divided sides: the first edge"),
     ("src/polygon/convexity.cpp", "const bool is_corner = turn != 0 || !isBetween(p, q, r);", "const bool is_corner = turn != 0;", "convex: a spike's tip is straight"),
-    ("src/polygon/polygon.cpp", "reduced->origin = origin;", "", "corners alone: from another S"),
+    ("src/polygon/path.cpp", "reduced->origin = origin;", "", "corners alone: from another S"),
     ("src/polygon/area.cpp", "if (w.y() < v.y()) edges.push_back({w, v, 1});", "if (w.y() < v.y()) edges.push_back({w, v, -1});", "area: winding of edges that fall"),
     ("src/polygon/area.cpp", "std::swap(sides_[left], sides_[left + 1]);", "std::swap(sides_[left].top, sides_[left + 1].top);", "area: crossed sides stay where they were"),
     ("src/polygon/area.cpp", "steps[begin->first[1]] -= begin->second;", "steps[begin->first[1]] += begin->second;", "centroid: edges of a line never end"),
