@@ -301,7 +301,8 @@ class DepthSearch {
     const bool is_new = cell.addEdge(near.edge);
     bound(cell);
     if (-cell.least + search_.upper <= precision_) return;
-    if (is_new && ++cell.looks < kMostLooks) return search_.push(cell);  // to look at the new peak
+    // A cell is first looked at in its middle, then at its peak.
+    if ((is_new || cell.looks == 0) && ++cell.looks < kMostLooks) return search_.push(cell);
     if (!is_in_part && part_.nearest(place).distance > reach) return;
     const std::size_t side = longestSideOf(cell);
     const bool are_all = gather(cell.corner[side], cell.corner[(side + 1) % 3], heightOf(cell) - cell.least);

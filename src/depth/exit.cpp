@@ -33,7 +33,10 @@ std::vector<Ring> wallsOf(const Polygon& part, const Pose& pose, const std::vect
     forEachEdge(areas[i].polygon, [&](std::size_t edge) {
       const Vec2 v = at(edge), w = at(edge + 1);
       for (const EdgeSides::Piece& piece : sides.of(i + 1, edge).pieces())
-        if (piece.is_boundary) walls.push_back({(1 - piece.from) * v + piece.from * w, (1 - piece.to) * v + piece.to * w});
+        if (piece.is_boundary) {
+          const Vec2 begin = (1 - piece.from) * v + piece.from * w, end = (1 - piece.to) * v + piece.to * w;
+          walls.push_back({begin, end, end});
+        }
       return true;
     });
   }
