@@ -77,10 +77,10 @@ class DepthSearch {
 
   DeepestPoint find() {
     for (const InnerArc& arc : arcs_.arcs) addArc(arc);
-    const bool is_done = run() && addInterior() && run();
+    if (run()) addInterior(), run();
     DeepestPoint result = best_;
     result.distance = best_.distance * frame_.unit();
-    result.upper_bound = is_done ? result.distance : std::max(-search_.lower(), best_.distance) * frame_.unit();
+    result.upper_bound = std::max(-search_.lower(), best_.distance) * frame_.unit();
     if (best_.distance > 0) {
       result.point = frame_.toWorld(best_.point);
       result.nearest = frame_.toWorld(best_.nearest);
@@ -236,8 +236,8 @@ class DepthSearch {
   // Cells of the plane, where the part's interior may be.
 
   /// The box around the overlap, along the longest edge there.
-  bool addInterior() {
-    if (part_.polygon.isDegenerate()) return true;
+  void addInterior() {
+    if (part_.polygon.isDegenerate()) return;
     Vec2 along = Vec2::UnitX();
     double longest = 0;
     for (const InnerArcs& arcs : overlap_.arcs)
@@ -250,7 +250,7 @@ class DepthSearch {
     Eigen::AlignedBox2d box;
     for (const InnerArcs& arcs : overlap_.arcs)
       for (const Vec2& point : arcs.points) box.extend(axes.transpose() * point);
-    if (box.isEmpty() || !(box.sizes().minCoeff() > 0)) return true;
+    if (box.isEmpty() || !(box.sizes().minCoeff() > 0)) return;
     const auto corner = [&](double x, double y) {
       return Vec2(axes * (box.min() + Vec2(x * box.sizes().x(), y * box.sizes().y())));
     };
@@ -259,18 +259,17 @@ class DepthSearch {
     double most = 0;
     for (const Vec2& p : {v, u, w, t}) most = std::max(most, area_.distance(near.edge, p));
     most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
-    if (most + search_.upper <= precision_) return true;
+    if (most + search_.upper <= precision_) return;
     const bool is_wide = box.sizes().x() > box.sizes().y();
     const bool are_all = gather(is_wide ? corner(0, 0.5) : corner(0.5, 0), is_wide ? corner(1, 0.5) : corner(0.5, 1),
                                 0.5 * box.sizes().minCoeff() + most);
-    if (are_all && leadsAway()) return true;
+    if (are_all && leadsAway()) return;
     for (const Vec2& p : {u, t}) {
       Piece cell{-most, 3};
       cell.corner = {v, w, p};
       cell.place = (v + w + p) / 3;
       search_.push(cell);
     }
-    return true;
   }
 
   /// Whether some direction leads away from all of these edges, which are borders with a known side, wherever outside
@@ -376,13 +375,15 @@ class DepthSearch {
   /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
   void cut(const Piece& cell, const std::size_t* edge) {
     const std::size_t longest = longestSideOf(cell);
-    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 0.5 * frame_.error())) return;
+    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 4 * frame_.error())) return;
     Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3], along = cell.corner[(longest + 2) % 3] - v;
     if (edge != nullptr) v = area_.vertex(*edge), along = area_.vertex(*edge + 1) - v;
     std::array<double, 3> beside;
     for (std::size_t c = 0; c < 3; ++c) {
       beside[c] = cross(along, cell.corner[c] - v);
-      if (std::abs(beside[c]) <= 2 * frame_.error() * along.norm()) beside[c] = 0;
+      const bool is_on_line = edge != nullptr ? std::abs(beside[c]) <= 2 * frame_.error() * along.norm()
+                                              : c == (longest + 2) % 3;
+      if (is_on_line) beside[c] = 0;
     }
     for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
   }
