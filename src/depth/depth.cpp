@@ -9,6 +9,7 @@
 #include "depth/border.h"
 #include "depth/deepest_point.h"
 #include "depth/depth_in_order.h"
+#include "depth/excess.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/interiors.h"
@@ -102,14 +103,9 @@ Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& 
 
 Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, const Pose& pose_area) {
   const detail::PolygonData &of_part = part.data(), &of_area = area.data();
-  Excess result{0, Vec2::Zero(), Vec2::Zero(), -1, -1, 0};
-  if (covers(area, pose_area, part, pose_part)) return result;
-  if (part.isComplement() && !area.isComplement()) {
-    result.distance = result.upper_bound = detail::kInfinity;
-    return result;
-  }
-  const detail::Overlap overlap(of_part, pose_part, {of_area, pose_area});
-  const detail::DeepestPoint found = detail::findDeepestPoint(overlap, false, 0, detail::kInfinity);
+  if (covers(area, pose_area, part, pose_part)) return {0, Vec2::Zero(), Vec2::Zero(), -1, -1, 0};
+  const detail::DeepestPoint found =
+      detail::excessOfUnion({detail::PosedPair(of_part, pose_part, of_area, pose_area)}, detail::kInfinity);
   // Not covered, though rounding may hide it.
   const double least = std::numeric_limits<double>::min();
   return {std::max(found.distance, least),

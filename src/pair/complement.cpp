@@ -148,6 +148,11 @@ struct BorderPieces {
         // The next piece of the same ring leads on, or else any.
         k = left[point].count(k + 1) != 0 ? k + 1 : *left[point].begin();
       }
+      // Where points were rounded, as in a sliver.
+      for (Ring& ring = found.rings.back(); ring.size() < 3;) {
+        ring.push_back(ring.back());
+        found.edges.push_back(found.edges.back());
+      }
     }
     return found;
   }

@@ -214,6 +214,7 @@ std::string wrongMargins(Random& random, const Case& c) {
     PairCache cache;
     for (int i = 0; i < 3; ++i)
       if (closed != collide(c.a, c.pose_a, c.b, c.pose_b, cache, {m})) return valued("collide with a cache", s, m);
+    if (m < 0) continue;  // refused there
     DistanceOptions options;
     options.margin = m;
     if (closed != (signedDistance(c.a, c.pose_a, c.b, c.pose_b, options).distance <= 0))

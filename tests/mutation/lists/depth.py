@@ -10,7 +10,7 @@ MUTATIONS = [
     ("src/depth/deepest_point.cpp", "if (!is_outside && near.distance > reach) return;", "if (near.distance > reach) return;", "depth: cells deep inside are left out"),
     ("src/depth/deepest_point.cpp", "if (is_outside && is_in_part) offer(place, near, -1);", "if (is_outside) offer(place, near, -1);", "depth: points that aren't the part's"),
     ("src/depth/deepest_point.cpp", "if (!piece.is_known) return Look::InArea;", "", "depth: arcs that run along a border aren't located"),
-    ("src/depth/deepest_point.cpp", "if (part_.polygon.isDegenerate()) return true;", "return true;", "depth: the interior isn't searched"),
+    ("src/depth/deepest_point.cpp", "if (part_.polygon.isDegenerate()) return;", "return true;", "depth: the interior isn't searched"),
     ("src/depth/peak.h", "value = std::min(value, highest);", "value = std::min(value, 0.5 * highest);", "depth: upper bounds of cells too low"),
     ("src/depth/inner_arcs.cpp", "if (found.location == Location::Boundary) return {};", "", "depth: an arc's winding number taken from a boundary"),
     ("src/depth/collide.cpp", "depth > allowed : depth >= allowed", "depth >= allowed : depth >= allowed", "negative margins: touching allowed"),
