@@ -27,7 +27,6 @@ constexpr Query kQueries[] = {
     {"contacts", soakContacts},
     {"covers", soakCovers},
     {"crossings", soakCrossings},
-    {"depth", soakDepth},
     {"distance", soakDistance},
     {"impact", soakImpact},
     {"locate", soakLocate},
