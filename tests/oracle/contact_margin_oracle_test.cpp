@@ -31,14 +31,27 @@ bool areWithin(const Case& c, const Vec2& way, double margin) {
   return exact::within(exact::distanceSquared(c.a, c.pose_a, c.b, moved), margin);
 }
 
+/// Tells of each edge whether results name it: an edge without length is only named as the first one of a point.
+std::vector<bool> namedEdges(const Polygon& polygon) {
+  std::vector<bool> named;
+  for (const Ring& ring : polygon.rings()) {
+    const bool is_point = std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return p == ring[0]; });
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      named.push_back(is_point ? i == 0 : ring[i] != ring[i + 1 < ring.size() ? i + 1 : 0]);
+  }
+  return named;
+}
+
 std::vector<std::pair<EdgeIndex, EdgeIndex>> nearEdges(const Case& c, double margin) {
+  const std::vector<bool> named_a = namedEdges(c.a), named_b = namedEdges(c.b);
   const auto edgeOf = [](const Polygon& polygon, EdgeIndex edge) {
     return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
   };
   std::vector<std::pair<EdgeIndex, EdgeIndex>> pairs;
   for (EdgeIndex i = 0; i < static_cast<EdgeIndex>(c.a.vertexCount()); ++i)
     for (EdgeIndex j = 0; j < static_cast<EdgeIndex>(c.b.vertexCount()); ++j)
-      if (areWithin({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}, Vec2::Zero(), margin))
+      if (named_a[static_cast<std::size_t>(i)] && named_b[static_cast<std::size_t>(j)] &&
+          areWithin({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}, Vec2::Zero(), margin))
         pairs.emplace_back(i, j);
   return pairs;
 }
