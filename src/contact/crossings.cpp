@@ -18,12 +18,19 @@ namespace tricover {
 namespace detail {
 namespace {
 
+/// Whether an edge is there only because a path has three of each ring: the next one has its number.
+bool isPadding(const PolygonData& polygon, std::size_t edge) {
+  return polygon.has_repeats && edge + 1 < polygon.edgeEnd(polygon.ringOf(edge)) &&
+         polygon.edgeNumber(edge) == polygon.edgeNumber(edge + 1);
+}
+
 std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOptions& options) {
   const double margin = options.margin;
   const bool is_open = options.touching == Touching::Allowed;
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
   const auto add = [&](std::size_t i, std::size_t j, const Vec2& point) {
+    if (isPadding(pair.a, i) || isPadding(pair.b, j)) return;
     result.push_back({static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
                       static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)), frame.toWorld(point)});
   };
