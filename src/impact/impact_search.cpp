@@ -51,8 +51,7 @@ class ImpactSearch {
   }
 
  private:
-  /// The most that a test's search needs is 105,031 divisions and 71,694 encounters, which take 32 bytes each, at 602
-  /// edges.
+  /// An encounter takes 32 bytes.
   static constexpr std::size_t kLeastEncounters = std::size_t{1} << 14, kEncountersPerEdge = 64;
   static constexpr std::size_t kDivisionsPerEncounter = 4;
   static std::size_t mostEncounters(const MovingPair& pair) {

@@ -88,6 +88,18 @@ TEST(RepeatedVertices, AreNoEdgesOfResults) {
   EXPECT_EQ(distance(square, kHere, probe, pose(0, -4, 0)).edge_a, 10);
 }
 
+TEST(RepeatedVertices, OfASegmentOrAPointCrossOnce) {
+  const Polygon square = box(2, 2);
+  // Both edges of the segment meet the square's right side, edge 1.
+  const std::vector<Crossing> found = crossings(square, kHere, Polygon({{{0, 0}, {0, 0}, {2, 0}, {0, 0}}}), kHere);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].edge_a, 1);
+  EXPECT_EQ(found[1].edge_a, 1);
+  EXPECT_EQ(found[0].edge_b + found[1].edge_b, 1 + 2);
+  const Vec2 middle(1, 0.25);
+  EXPECT_EQ(crossings(square, kHere, Polygon({{middle, middle, middle, middle, middle}}), kHere).size(), 1u);
+}
+
 /// A point slides along an edge, and so does a segment: the contact lasts as long as that of point() and segment().
 TEST(RepeatedVertices, OfAPointLastInContact) {
   const Polygon floor({kL});
