@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "numbers/errors.h"
+#include "numbers/require_touching.h"
 #include "polygon/polygon_data.h"
 #include "tricover/collide.h"
 
@@ -14,11 +14,6 @@ bool interiorsMeet(const PolygonData& a, const Pose& pose_a, const PolygonData& 
 /// touching is within it, and may collide.
 inline bool asksForInteriors(const CollideOptions& options) {
   return options.touching == Touching::Allowed && options.margin == 0 && options.tolerance == 0;
-}
-
-inline void requireTouching(Touching touching) {
-  if (touching != Touching::Collides && touching != Touching::Allowed)
-    refuse("touching", "it must be Touching::Collides or Touching::Allowed");
 }
 
 }  // namespace tricover::detail

@@ -104,7 +104,8 @@ struct PolygonData {
   }
   /// The number of a ring's first edge.
   std::size_t firstNumber(std::size_t ring) const {
-    return has_repeats && ring > 0 ? edgeNumber(edgeEnd(ring - 1)) + 1 : has_repeats ? 0 : edgeBegin(ring) - ring;
+    if (!has_repeats) return edgeBegin(ring) - ring;
+    return ring == 0 ? 0 : edgeNumber(edgeEnd(ring - 1)) + 1;
   }
   /// The edge that results name for the one at a position: that edge, or, if it has no length, the next one of its ring
   /// that has, which starts at the same point. A ring without any such edge names the given one.

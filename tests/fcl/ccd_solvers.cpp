@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fcl::continuousCollide makes of its ccd_solver_type.
+// fcl::continuousCollide with each ccd_solver_type.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/collision.h>

@@ -112,7 +112,7 @@ TEST(Coherence, pairsThatTakeTurnsGetCaches) {
 TEST(Coherence, newPlacesShareTheirPairsSlot) {
   onNewTable([] {
     std::set<const tricover::PairCache*> slots;
-    // Of a pair that is asked once nothing is kept.
+    // The table keeps nothing of a pair that is asked once.
     EXPECT_EQ(pairCache(id(1), place(0), id(2), place(0)), nullptr);
     for (std::uintptr_t k = 1; k < 100; ++k) slots.insert(pairCache(id(1), place(0), id(2), place(4 * k)));
     EXPECT_EQ(slots.size(), 1u);

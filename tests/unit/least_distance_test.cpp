@@ -32,7 +32,7 @@ LeastDistanceOptions within(double error, double margin = 0) {
   return options;
 }
 
-/// Of tips at distance 1, and notches at 0.6.
+/// A star with tips at distance 1 and notches at 0.6.
 Polygon starOf(int tips) {
   Ring ring;
   for (int i = 0; i < 2 * tips; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What castRayAll() with a margin costs, by counts: for many intervals, and where lengths are lost in rounding.
+// castRayAll() with a margin costs few looks at edges, for many intervals and where lengths are lost in rounding.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -3,8 +3,7 @@
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
-#include <cmath>
-
+#include "numbers/require_touching.h"
 #include "queries/queries.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"
@@ -18,13 +17,11 @@ namespace tricover_fcl {
 
 namespace {
 
-/// What shapes that are plainly apart would hide, and shapes' margins, which are added.
+/// Checks the options before anything else: shapes far apart never reach the core's checks, and it sees margins added.
 void check(const tricover::CollideOptions& options) {
-  if (!std::isfinite(options.margin)) refuse("margin", "it must be finite");
-  if (!(std::isfinite(options.tolerance) && options.tolerance >= 0))
-    refuse("tolerance", "it must be finite and not negative");
-  if (options.touching != tricover::Touching::Collides && options.touching != tricover::Touching::Allowed)
-    refuse("touching", "it must be Touching::Collides or Touching::Allowed");
+  tricover::detail::requireFiniteMargin(options.margin, "margin");
+  tricover::detail::requireFiniteNotNegative(options.tolerance, "tolerance");
+  tricover::detail::requireTouching(options.touching);
 }
 
 }  // namespace

@@ -272,7 +272,8 @@ class Gauge {
   }
 
  private:
-  /// What the overlap's depth leaves of the margin, or down to half of that. Depth changes by no more than points move.
+  /// Returns a length by which the overlap may certainly grow: a half of it at least, 0 if it is below `least`. The
+  /// depth changes by no more than points move.
   double allowedDepth(const Pose& pose_a, const Pose& pose_b, double least) {
     last_ = std::min(-margin_ / 2, 4 * last_);
     while (last_ > least && tricover::collide(a_, pose_a, b_, pose_b, {margin_ + last_})) last_ /= 2;

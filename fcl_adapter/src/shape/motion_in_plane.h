@@ -14,7 +14,7 @@
 
 namespace tricover_fcl {
 
-/// What to do where a motion can't be followed.
+/// The remedy that errors name where a motion can't be followed.
 constexpr const char* kSampleInstead = "call fcl::collide at times of your own choice";
 
 /// The largest S that isn't above `time`, which is in [0, 1].
