@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "impact/cubic.h"
 #include "impact/options.h"
 #include "impact/vertex_paths.h"
 #include "numbers/rigidity.h"
-#include "pair/allowed_overlap.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
@@ -63,21 +63,19 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       touch_margin_(margin_ < 0 ? margin_ + 2 * precision_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),
       speed_(mostSpeed(pair_)) {
+  depth_.first = -1;
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
 
-std::vector<Contact> MovingContact::overlapAt(double time) const {
-  return allowedOverlap(a_, motion_a_.at(time), b_, motion_b_.at(time), -margin_, 2 * precision_);
-}
-
-double MovingContact::depthAt(double time) const {
-  if (depth_.first != time) depth_ = {time, depthOf(overlapAt(time))};
+const Depth& MovingContact::depthAt(double time) const {
+  if (depth_.first != time)
+    depth_ = {time, measure_ ? measure_(time) : depth(a_, motion_a_.at(time), b_, motion_b_.at(time))};
   return depth_.second;
 }
 
 bool MovingContact::touchAt(double time) const {
-  if (margin_ < 0) return depthAt(time) > 0 && depthAt(time) >= -touch_margin_;
+  if (margin_ < 0) return depthAt(time).upper_bound > 0 && depthAt(time).upper_bound >= -touch_margin_;
   return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {touch_margin_, 0});
 }
 
@@ -99,9 +97,11 @@ struct MovingContact::Posed {
 bool MovingContact::meetUntil(double time, double next) const {
   const double travel = speed_ * (next - time) * kSpared;
   if (margin_ < 0) {
-    // The depth of convex polygons that slide is concave in time, so that it is least at one of both times.
-    const bool is_concave = pair_.slides() && cornersOf(a_.data()) != nullptr && cornersOf(b_.data()) != nullptr;
-    return depthAt(time) >= travel - margin_ || (is_concave && touchAt(time) && touchAt(next));
+    const Depth first = depthAt(time);
+    if (first.depth == std::numeric_limits<double>::infinity() || first.depth >= travel - margin_) return true;
+    // Of convex polygons that slide, the depth of either's points is concave in time: least at one of both times.
+    if (!pair_.slides() || cornersOf(a_.data()) == nullptr || cornersOf(b_.data()) == nullptr) return false;
+    return touchAt(time) && touchAt(next) && depthAt(next).is_point_of_a == first.is_point_of_a;
   }
   const Posed posed(pair_, time);
   if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;

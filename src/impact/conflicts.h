@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "impact/moving_pair.h"
 #include "tricover/conflicts.h"
-#include "tricover/contacts.h"
+#include "tricover/depth.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::detail {
@@ -32,14 +33,17 @@ class MovingContact {
   /// Whether they touch at a time; with a negative margin, whether they are as deep in each other.
   bool touchAt(double time) const;
 
+  /// How far points may be from where they are said to be, a world length.
+  double precision() const { return precision_; }
+  /// With a negative margin: takes this for the depth at a time, which changes by no more than points move.
+  void measureBy(std::function<Depth(double)> measure) { measure_ = std::move(measure); }
   /// With a negative margin, the first contact that is as deep.
   std::optional<Impact> deepImpact() const;
 
  private:
   friend class DeepImpact;
   struct Posed;
-  std::vector<Contact> overlapAt(double time) const;  ///< with a negative margin
-  double depthAt(double time) const;                  ///< likewise
+  const Depth& depthAt(double time) const;  ///< with a negative margin
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
   bool staysContained(double time, double next, double travel) const;
@@ -50,7 +54,8 @@ class MovingContact {
   const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
   double precision_;            ///< of where points are
   double touch_margin_;         ///< within which they touch
-  mutable std::pair<double, double> depth_{-1, 0};  ///< the last time and depth
+  std::function<Depth(double)> measure_;    ///< null: depth()
+  mutable std::pair<double, Depth> depth_;  ///< the last time and depth
   int steps_left_;                                  ///< of endOfContact(), for all contacts together
   double speed_;                                    ///< no point of one moves faster against the other one
 };

@@ -14,7 +14,6 @@
 
 #include "impact/conflicts.h"
 #include "impact/options.h"
-#include "pair/allowed_overlap.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
@@ -77,8 +76,8 @@ class DeepImpact {
         if (!advance(room.shift)) return ended();
         continue;
       }
-      const std::vector<Contact> overlap = overlapNow();
-      const double depth = depthOf(overlap);
+      const Depth& overlap = overlapNow();
+      const double depth = overlap.upper_bound;
       // After a proven interval an impact is as early as ordinary ones are.
       if (depth >= allowed_ - (time_ > 0 ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
       if (time_ >= 1) return std::nullopt;
@@ -94,13 +93,12 @@ class DeepImpact {
   }
 
  private:
-  std::vector<Contact> overlapNow() const { return pair_.overlapAt(time_); }
+  const Depth& overlapNow() const { return pair_.depthAt(time_); }
 
-  void touchAll(const std::vector<Contact>& overlap) {
+  void touchAll(const Depth& overlap) {
     touches_.clear();
     at_once_ = 0;
-    for (std::size_t k = 0; k < std::min(overlap.size(), kMostTouches); ++k)
-      touches_.push_back({overlap[k].normal, overlap[k].depth});
+    if (overlap.depth > 0) touches_.push_back({overlap.normal, overlap.depth});
   }
 
   /// Goes on to the next contact of `b`, translated. False if there is none, or if it is not known.
@@ -144,12 +142,10 @@ class DeepImpact {
     return impact;
   }
 
-  Impact impactHere(const std::vector<Contact>& overlap) const {
+  Impact impactHere(const Depth& overlap) const {
     Impact impact = touch_.value_or(Impact{0, Vec2::Zero(), Vec2::UnitX(), -1, -1});
-    if (!overlap.empty()) {
-      const Contact& deepest = overlap.front();
-      impact = {0, deepest.point, deepest.normal, deepest.edge_a, deepest.edge_b};
-    }
+    if (overlap.depth > 0)
+      impact = {0, overlap.is_point_of_a ? overlap.point_a : overlap.point_b, overlap.normal, overlap.edge_a, overlap.edge_b};
     impact.time = time_;
     return impact;
   }
