@@ -298,11 +298,11 @@ class ConvexPair {
   Contact contactOf(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
     const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
     const Double2 deepest = own.inOwnFrame(other.ring.corner(face_.deepest));
-    // One ring: positions are numbers.
-    const auto own_edge = other_is_inside ? -1
-                                          : static_cast<std::ptrdiff_t>(pathEdge(own.polygon, own.outline, face_.edge,
-                                                                                 {deepest[0], deepest[1]})),
-               other_edge = own_is_inside ? -1 : static_cast<std::ptrdiff_t>(incident_.path_edge);
+    const EdgeIndex own_edge =
+        other_is_inside
+            ? -1
+            : own.polygon.edgeName(pathEdge(own.polygon, own.outline, face_.edge, {deepest[0], deepest[1]}));
+    const EdgeIndex other_edge = own_is_inside ? -1 : other.polygon.edgeName(incident_.path_edge);
     assert(face_.depth > 0 && std::abs(up_.norm() - 1) < 0x1p-40);
     return contactAt(point, face_.of_a ? up_ : Vec2(-up_), face_.depth + margin_, face_.of_a ? own_edge : other_edge,
                      face_.of_a ? other_edge : own_edge);

@@ -52,7 +52,7 @@ class ImpactSearch {
 
  private:
   /// An encounter takes 32 bytes.
-  static constexpr std::size_t kLeastEncounters = std::size_t{1} << 14, kEncountersPerEdge = 64;
+  static constexpr std::size_t kLeastEncounters = std::size_t{1} << 14, kEncountersPerEdge = 512;
   static constexpr std::size_t kDivisionsPerEncounter = 4;
   static std::size_t mostEncounters(const MovingPair& pair) {
     return kLeastEncounters + kEncountersPerEdge * (pair.a.polygon->path.size() + pair.b.polygon->path.size());

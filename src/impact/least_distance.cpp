@@ -94,7 +94,7 @@ class LeastOnWay {
       if (least_.time != time) continue;
       if (!(before < time && time < after)) break;  // it is least at an end, or the step is rounding
       const double beside = 0.5 * step * (left - right) / bend;
-      if (bend > 0 && std::abs(beside) < step) look(time + beside);
+      if (bend > 0 && std::abs(beside) < step) look(std::clamp(time + beside, before, after));
       if (bend <= options_.error * 0x1p-6) break;
       step *= 0.125;
     }

@@ -248,8 +248,8 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   EXPECT_EQ(ask(first, false, second, true), 11);
   EXPECT_EQ(ask(first, true, second, false), 0);
   EXPECT_EQ(ask(first, true, late, true), 9);
-  EXPECT_EQ(ask(first, true, still(10, 20), true), -1);  // at one time alone
-  EXPECT_EQ(ask(first, true, first, true, 10, 20), -1);  // likewise, with FCL
+  EXPECT_EQ(ask(first, true, still(10, 20), true), 10);  // at one time alone
+  EXPECT_EQ(ask(first, true, first, true, 10, 20), -1);  // a leg that would take no time for FCL
   EXPECT_EQ(ask(first, true, first, true, 9, 20), 9);
   EXPECT_EQ(ask(after, true, after, true), -1);  // both are never there
   EXPECT_EQ(ask(after, true, first, true), -1);

@@ -31,20 +31,8 @@ bool areWithin(const Case& c, const Vec2& way, double margin) {
   return exact::within(exact::distanceSquared(c.a, c.pose_a, c.b, moved), margin);
 }
 
-/// Tells of each edge whether crossings name it: in rings of more than three vertices, an edge without length is none,
-/// but for the first one of a point.
-std::vector<bool> namedEdges(const Polygon& polygon) {
-  std::vector<bool> named;
-  for (const Ring& ring : polygon.rings()) {
-    const bool is_point = std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return p == ring[0]; });
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      named.push_back(ring.size() == 3 || (is_point ? i == 0 : ring[i] != ring[i + 1 < ring.size() ? i + 1 : 0]));
-  }
-  return named;
-}
-
 std::vector<std::pair<EdgeIndex, EdgeIndex>> nearEdges(const Case& c, double margin) {
-  const std::vector<bool> named_a = namedEdges(c.a), named_b = namedEdges(c.b);
+  const std::vector<bool> named_a = exact::edgesOfCrossings(c.a), named_b = exact::edgesOfCrossings(c.b);
   const auto edgeOf = [](const Polygon& polygon, EdgeIndex edge) {
     return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
   };

@@ -7,6 +7,7 @@
 
 #include "cases.h"
 #include "contact_laws.h"
+#include "exact_reference.h"
 #include "reproduction.h"
 #include "soak.h"
 #include "tricover/contacts.h"
@@ -33,10 +34,13 @@ bool areWithin(Random& random, const Case& c, double margin) {
     return static_cast<EdgeIndex>(random.integer(0, static_cast<int>(polygon.vertexCount()) - 1));
   };
   const EdgeIndex i = anyEdge(c.a), j = anyEdge(c.b);
+  const bool are_edges = exact::edgesOfCrossings(c.a)[static_cast<std::size_t>(i)] &&
+                         exact::edgesOfCrossings(c.b)[static_cast<std::size_t>(j)];
   const std::vector<Crossing> found = crossings(c.a, c.pose_a, c.b, c.pose_b, {margin});
   const auto count =
       std::count_if(found.begin(), found.end(), [&](const Crossing& x) { return x.edge_a == i && x.edge_b == j; });
-  return count == (Reference({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}).within(margin) ? 1 : 0);
+  const bool are_within = Reference({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}).within(margin);
+  return count == (are_edges && are_within ? 1 : 0);
 }
 
 }  // namespace

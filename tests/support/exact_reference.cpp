@@ -293,14 +293,25 @@ bool interiorsMeet(const Polygon& a, const Pose& pose_a, const Polygon& b, const
   return false;
 }
 
+std::vector<bool> edgesOfCrossings(const Polygon& polygon) {
+  std::vector<bool> are_edges;
+  for (const Ring& ring : polygon.rings()) {
+    const bool is_point = std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return p == ring[0]; });
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      are_edges.push_back(ring.size() == 3 || (is_point ? i == 0 : ring[i] != ring[i + 1 < ring.size() ? i + 1 : 0]));
+  }
+  return are_edges;
+}
+
 std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,
                                                                     const Polygon& b, const Pose& pose_b) {
   const Pair pair = griddedPair(a, pose_a, b, pose_b);
   const std::vector<Edge> edges_a = edges(pair.a), edges_b = edges(pair.b);
+  const std::vector<bool> cross_a = edgesOfCrossings(a), cross_b = edgesOfCrossings(b);
   std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> result;
   for (std::size_t i = 0; i < edges_a.size(); ++i) {
     for (std::size_t j = 0; j < edges_b.size(); ++j) {
-      if (edgesMeet(edges_a[i], edges_b[j])) result.emplace_back(i, j);
+      if (cross_a[i] && cross_b[j] && edgesMeet(edges_a[i], edges_b[j])) result.emplace_back(i, j);
     }
   }
   return result;

@@ -26,7 +26,11 @@ bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose&
 /// edges cross.
 bool interiorsMeet(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b);
 
-/// Every pair of edges (numbered as in Polygon::edgeStart) that share a point, in order.
+/// Tells of each edge (numbered as in Polygon::edgeStart) whether it is one that can cross another: in a ring of more
+/// than three vertices that without length, before a repeated vertex, is none, but for the first one of a point.
+std::vector<bool> edgesOfCrossings(const Polygon& polygon);
+
+/// Every pair of such edges that share a point, in order.
 std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> meetingEdges(const Polygon& a, const Pose& pose_a,
                                                                     const Polygon& b, const Pose& pose_b);
 

@@ -137,9 +137,11 @@ bool Reference::collide() const {
 }
 
 std::vector<std::pair<EdgeIndex, EdgeIndex>> Reference::meetingEdges() const {
+  const std::vector<bool> cross_a = exact::edgesOfCrossings(case_.a), cross_b = exact::edgesOfCrossings(case_.b);
   std::vector<std::pair<EdgeIndex, EdgeIndex>> result;
   for (std::size_t i = 0; i < a_.edges.size(); ++i)
     for (std::size_t j = 0; j < b_.edges.size(); ++j) {
+      if (!cross_a[i] || !cross_b[j]) continue;
       const Answer answer = meet(a_.edges[i], b_.edges[j]);
       if (answer == Answer::Yes || (answer == Answer::Doubt && meetExactly(i, j))) result.emplace_back(i, j);
     }

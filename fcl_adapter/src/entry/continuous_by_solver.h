@@ -42,7 +42,6 @@ FCL_EXPORT double continuousCollide(const CollisionGeometry<double>*, const Tran
 #include "entry/table_rows.h"
 #include "shape/is_polygon.h"
 #include "shape/motion_in_plane.h"
-#include "tricover_fcl/continuous_collide.h"
 
 namespace tricover_fcl {
 
@@ -52,8 +51,7 @@ S continuousCollideBySolver(const fcl::CollisionGeometry<S>* o1, const fcl::Moti
                             const fcl::CollisionGeometry<S>* o2, const fcl::MotionBase<S>* motion2,
                             const fcl::ContinuousCollisionRequest<S>& request,
                             fcl::ContinuousCollisionResult<S>& result) {
-  if (isPolygon(*o1) || isPolygon(*o2))
-    return tricover_fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
+  if (isPolygon(*o1) || isPolygon(*o2)) return advanceWithPoses(*o1, *motion1, *o2, *motion2, request, result);
   requireSampled(*motion1, request);
   requireSampled(*motion2, request);
   const auto both = [&](fcl::OBJECT_TYPE type) {

@@ -20,12 +20,7 @@ S continuousCollide(const fcl::CollisionGeometry<S>* o1, const fcl::MotionBase<S
     requireSampled(*motion2, request);
     return fcl::continuousCollide(o1, motion1, o2, motion2, request, result);
   }
-  const S time = advanceGeometries(*o1, *motion1, *o2, *motion2, request, result);
-  if (result.is_collide) {
-    result.contact_tf1 = poseAt(*motion1, time);
-    result.contact_tf2 = poseAt(*motion2, time);
-  }
-  return time;
+  return advanceWithPoses(*o1, *motion1, *o2, *motion2, request, result);
 }
 
 template <typename S>

@@ -173,10 +173,25 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
   return result.time_of_contact;
 }
 
-#define TRICOVER_INSTANTIATE(S)                                                             \
-  template S advanceGeometries(const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&, \
-                               const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&, \
-                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);
+template <typename S>
+S advanceWithPoses(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& motion1,
+                   const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
+                   const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result) {
+  const S time = advanceGeometries(o1, motion1, o2, motion2, request, result);
+  if (result.is_collide) {
+    result.contact_tf1 = poseAt(motion1, time);
+    result.contact_tf2 = poseAt(motion2, time);
+  }
+  return time;
+}
+
+#define TRICOVER_INSTANTIATE(S)                                                                                \
+  template S advanceGeometries(const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                    \
+                               const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                    \
+                               const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&); \
+  template S advanceWithPoses(const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                     \
+                              const fcl::CollisionGeometry<S>&, const fcl::MotionBase<S>&,                     \
+                              const fcl::ContinuousCollisionRequest<S>&, fcl::ContinuousCollisionResult<S>&);
 TRICOVER_INSTANTIATE(float)
 TRICOVER_INSTANTIATE(double)
 #undef TRICOVER_INSTANTIATE

@@ -39,4 +39,10 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
                     const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
                     const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
 
+/// The same, with where the geometries are then.
+template <typename S>
+S advanceWithPoses(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S>& motion1,
+                   const fcl::CollisionGeometry<S>& o2, const fcl::MotionBase<S>& motion2,
+                   const fcl::ContinuousCollisionRequest<S>& request, fcl::ContinuousCollisionResult<S>& result);
+
 }  // namespace tricover_fcl
