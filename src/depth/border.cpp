@@ -9,6 +9,7 @@
 #include "hierarchy/hierarchy.h"
 #include "pair/complement.h"
 #include "penetration/rings.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 namespace {
@@ -40,6 +41,25 @@ const PolygonData* withBordersOnly(const PolygonData& polygon) {
   const std::vector<std::int8_t>& sides = regionSidesOf(polygon).rings;
   if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side != 0; })) return &polygon;
   return hierarchyOf(polygon).borders.made<Borders>(polygon).region;
+}
+
+Polygon bordersOf(const Polygon& polygon) {
+  const PolygonData* const region = withBordersOnly(polygon.data());
+  if (region == nullptr || region == &polygon.data() || region->fill.is_complement) return polygon;
+  std::vector<Ring> rings;
+  for (std::size_t ring = 0; ring < region->ringCount(); ++ring) rings.push_back(region->vertices(ring));
+  return Polygon(rings);
+}
+
+Polygon wallsOf(const Polygon& polygon) {
+  const PolygonData* const region = withBordersOnly(polygon.data());
+  std::vector<Ring> walls;
+  if (region != nullptr)
+    forEachEdge(*region, [&](std::size_t edge) {
+      walls.push_back({region->path[edge], region->path[edge + 1], region->path[edge + 1]});
+      return true;
+    });
+  return Polygon(walls);
 }
 
 std::size_t givenEdge(const PolygonData& polygon, const PolygonData& region, std::size_t position) {

@@ -79,8 +79,11 @@ class DepthSearch {
     for (const InnerArc& arc : arcs_.arcs) addArc(arc);
     if (run()) addInterior(), run();
     DeepestPoint result = best_;
-    result.distance = best_.distance * frame_.unit();
-    result.upper_bound = std::max(-search_.lower(), best_.distance) * frame_.unit();
+    const double most = std::max(-search_.lower(), best_.distance);
+    // One number, unless the budget ended.
+    if (most - best_.distance <= precision_) result.distance = most;
+    result.distance *= frame_.unit();
+    result.upper_bound = most * frame_.unit();
     if (best_.distance > 0) {
       result.point = frame_.toWorld(best_.point);
       result.nearest = frame_.toWorld(best_.nearest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A part that is covered stays so until it crosses a piece of an edge beside which no area has its inside on both sides.
-// These pieces are walls. A part that may stick out is taken as one that may be deep in them (see deep_impact.cpp): moved
-// by no more than is allowed it meets no wall for a time, and sticks out by no more.
+// A part that is covered stays so until it crosses a piece of an edge beside which no area has its inside on both
+// sides. These pieces are walls. A part that may stick out is taken as one that may be deep in them (see
+// deep_impact.cpp): moved by no more than is allowed it meets no wall for a time, and sticks out by no more.
 #include "depth/exit.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "depth/excess.h"
 #include "impact/conflicts.h"
+#include "impact/deep_impact.h"
 #include "pair/coverage.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
@@ -23,7 +24,8 @@ std::vector<PosedPair> pairsOf(const Polygon& part, const Pose& pose, const std:
 }
 
 /// Segments seen from `from`, rounded: the boundary of the union.
-std::vector<Ring> wallsOf(const Polygon& part, const Pose& pose, const std::vector<StillArea>& areas, const Vec2& from) {
+std::vector<Ring> wallsAround(const Polygon& part, const Pose& pose, const std::vector<StillArea>& areas,
+                              const Vec2& from) {
   KnownSides sides(PosedRegions(pairsOf(part, pose, areas), PosedRegions::Outside));
   std::vector<Ring> walls;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -63,20 +65,30 @@ std::optional<Impact> firstExit(const Polygon& part, const Motion& motion, const
   const Impact at_begin{0, motion.start * part.origin(), Vec2::UnitX(), -1, -1};
   if (areas.empty() || !unionCoversBut(pairsOf(part, motion.start, areas), margin)) return at_begin;
   const Vec2 from = areas[0].pose.translation();
-  const std::vector<Ring> rings = wallsOf(part, motion.start, areas, from);
+  const std::vector<Ring> rings = wallsAround(part, motion.start, areas, from);
   if (rings.empty()) return std::nullopt;
   const Polygon walls(rings);
   const Motion still = Motion::still(Pose(Eigen::Translation2d(from)));
-  const double rounding = MovingContact(walls, still, part, motion, {std::max(margin, 0.0)}).precision();
+  const MovingContact contact(walls, still, part, motion, {std::max(margin, 0.0)});
+  const double rounding = contact.precision();
   if (margin > 0) {
     // A wall exactly at the margin is far enough.
     std::optional<Impact> impact = timeOfImpact(walls, still, part, motion, {std::max(margin - rounding, 0.0)});
     if (impact) impact->edge_a = impact->edge_b = -1;
     return impact;
   }
-  MovingContact contact(walls, still, part, motion, {std::min(margin, -4 * rounding)});
-  contact.measureBy([&](double time) { return excessAt(part, motion.at(time), areas); });
-  std::optional<Impact> impact = contact.deepImpact();
+  DeepQuestion question{walls,    still,          part, motion, walls, part, std::max(-margin, 4 * rounding),
+                        rounding, contact.speed()};
+  question.asks_b = true;
+  question.depth = [&](double time) { return excessAt(part, motion.at(time), areas); };
+  question.deepest = [&](const Polygon& piece, bool, double time) {
+    return excessOfUnion(pairsOf(piece, motion.at(time), areas), std::numeric_limits<double>::infinity());
+  };
+  question.away = [](const Impact& touch, bool, double) { return std::vector<Vec2>{touch.normal}; };
+  question.is_free = [&](const Polygon& piece, const Pose& pose) {
+    return unionCovers(pairsOf(piece, pose, areas), 0);
+  };
+  std::optional<Impact> impact = findDeepImpact(question);
   if (impact) impact->edge_a = impact->edge_b = -1;
   return impact;
 }

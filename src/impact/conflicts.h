@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,29 +35,29 @@ class MovingContact {
 
   /// How far points may be from where they are said to be, a world length.
   double precision() const { return precision_; }
-  /// With a negative margin: takes this for the depth at a time, which changes by no more than points move.
-  void measureBy(std::function<Depth(double)> measure) { measure_ = std::move(measure); }
+  /// No point of one polygon moves faster against the other one.
+  double speed() const { return speed_; }
   /// With a negative margin, the first contact that is as deep.
   std::optional<Impact> deepImpact() const;
 
  private:
-  friend class DeepImpact;
   struct Posed;
   const Depth& depthAt(double time) const;  ///< with a negative margin
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
   bool staysContained(double time, double next, double travel) const;
+  bool staysDeep(double time, double next) const;
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
   const MovingPair pair_;
-  const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
-  double precision_;            ///< of where points are
-  double touch_margin_;         ///< within which they touch
-  std::function<Depth(double)> measure_;    ///< null: depth()
-  mutable std::pair<double, Depth> depth_;  ///< the last time and depth
-  int steps_left_;                                  ///< of endOfContact(), for all contacts together
-  double speed_;                                    ///< no point of one moves faster against the other one
+  const double margin_, seen_;               ///< begins are told so much too early, and ends so much too late, at most
+  double precision_;                         ///< of where points are
+  double touch_margin_;                      ///< within which they touch
+  mutable std::pair<double, Depth> depth_;   ///< the last time and depth
+  mutable std::optional<Polygon> walls_[2];  ///< the borders of a, and of b, as segments
+  int steps_left_;                           ///< of endOfContact(), for all contacts together
+  double speed_;                             ///< no point of one moves faster against the other one
 };
 
 /// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If
