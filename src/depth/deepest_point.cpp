@@ -79,14 +79,12 @@ class DepthSearch {
     for (const InnerArc& arc : arcs_.arcs) addArc(arc);
     if (run()) addInterior(), run();
     DeepestPoint result = best_;
-    const double most = std::max(-search_.lower(), best_.distance);
-    // One number, unless the budget ended.
-    if (most - best_.distance <= precision_) result.distance = most;
-    result.distance *= frame_.unit();
-    result.upper_bound = most * frame_.unit();
+    result.distance = best_.distance * frame_.unit();
+    result.upper_bound = std::max(-search_.lower(), best_.distance) * frame_.unit();
     if (best_.distance > 0) {
       result.point = frame_.toWorld(best_.point);
       result.nearest = frame_.toWorld(best_.nearest);
+      result.way = (best_.nearest - best_.point) / best_.distance;
     }
     return result;
   }
@@ -335,12 +333,14 @@ class DepthSearch {
   /// The same by the directions from the nearest points of edges that don't lead through the cell.
   bool leadsAwayFrom(const Piece& cell) const {
     OneSidedDirections directions;
-    for (const std::size_t edge : edges_)
+    for (const std::size_t edge : edges_) {
+      bool is_known = false;
       for (const Vec2& corner : cell.corner) {
         const Vec2 way = corner - area_.foot(edge, corner);
-        if (way.norm() > 64 * frame_.error()) directions.add(way);
-        if (!directions.areOneSided()) return false;
+        if (way.norm() > 64 * frame_.error()) directions.add(way), is_known = true;
       }
+      if (!is_known || !directions.areOneSided()) return false;
+    }
     return true;
   }
 

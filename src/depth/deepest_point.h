@@ -40,6 +40,7 @@ struct Overlap {
 struct DeepestPoint {
   double distance = 0;
   Vec2 point = Vec2::Zero(), nearest = Vec2::Zero();
+  Vec2 way = Vec2::UnitX();  ///< from the point to the nearest one, of length 1
   std::ptrdiff_t edge = -1, nearest_edge = -1;
   double upper_bound = 0;
 };

@@ -51,10 +51,11 @@ Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& 
   const DeepestPoint& deepest = result.is_point_of_a ? of_a : of_b;
   result.depth = deepest.distance;
   result.upper_bound = std::max({of_a.upper_bound, of_b.upper_bound, result.depth});
-  if (result.depth > 0) {
+  // Points that rounding makes one have no direction.
+  if (deepest.point != deepest.nearest) {
     result.point_a = result.is_point_of_a ? deepest.point : deepest.nearest;
     result.point_b = result.is_point_of_a ? deepest.nearest : deepest.point;
-    result.normal = (result.point_a - result.point_b).stableNormalized();
+    result.normal = result.is_point_of_a ? Vec2(-deepest.way) : deepest.way;
     const auto nearest = [&](const PolygonData& polygon, const PolygonData& region) {
       return polygon.edgeName(givenEdge(polygon, region, static_cast<std::size_t>(deepest.nearest_edge)));
     };

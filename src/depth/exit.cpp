@@ -54,7 +54,7 @@ Depth excessAt(const Polygon& part, const Pose& pose, const std::vector<StillAre
   result.upper_bound = found.upper_bound;
   result.point_a = found.nearest;
   result.point_b = found.point;
-  result.normal = found.distance > 0 ? Vec2((found.nearest - found.point).stableNormalized()) : Vec2::UnitX();
+  result.normal = found.way;
   return result;
 }
 

@@ -87,7 +87,7 @@ Polygon polygonOf(const std::vector<Vec2>& chain) {
 
 class DeepImpact {
  public:
-  explicit DeepImpact(const DeepQuestion& question) : of_(question) {}
+  explicit DeepImpact(const DeepQuestion& question) : of_(question), near_(16 * question.precision) {}
 
   std::optional<Impact> find() {
     if (of_.asks_a && of_.asks_b)
@@ -106,16 +106,16 @@ class DeepImpact {
  private:
   void expand(Piece&& piece) {
     const Room room = widestRoom(piece.touches, of_.allowed);
-    if (room.left > of_.precision && piece.at_once < kMostAtOnce && advance(piece, room.shift)) return;
+    if (room.left > near_ && piece.at_once < kMostAtOnce && advance(piece, room.shift)) return;
     const double time = piece.least;
     const Measured deep = measure(piece);
     // After a proven interval an impact is as early as ordinary ones are.
-    if (deep.most >= of_.allowed - (time > 0 ? 2 * of_.precision : 0)) {
+    if (deep.most >= of_.allowed - (time > 0 ? near_ : 0)) {
       pieces_.upper = std::min(pieces_.upper, time);
       return;
     }
     if (time >= 1) return;
-    if (cut(piece, of_.allowed - deep.most)) return;
+    if (deep.most < of_.allowed - near_ && cut(piece, of_.allowed - deep.most)) return;
     const double proven = std::max(of_.allowed - deep.most, of_.precision) / of_.speed;
     piece.least = std::min(time + proven, 1.0);
     piece.touches.clear();
@@ -133,7 +133,7 @@ class DeepImpact {
       return {depth.upper_bound, {depth.normal, depth.depth}};
     }
     const DeepestPoint deepest = of_.deepest(polygonOf(piece.chain), piece.of_a, piece.least);
-    return {deepest.upper_bound, {(deepest.nearest - deepest.point).stableNormalized(), deepest.distance}};
+    return {deepest.upper_bound, {deepest.way, deepest.distance}};
   }
 
   /// Goes on to the next contact of a translated piece. False if nothing is known of it.
@@ -179,10 +179,8 @@ class DeepImpact {
     }
     const Vec2 in_frame = pose.linear().inverse() * shift;
     const DeepestPoint deepest = of_.deepest(moved.translated(in_frame), piece.of_a, piece.least);
-    if (isKnown(deepest.distance)) {
-      const Vec2 normal = (deepest.nearest - deepest.point).stableNormalized();
-      return addTouch(piece, {normal, normal.dot(shift) + deepest.distance});
-    }
+    if (isKnown(deepest.distance))
+      return addTouch(piece, {deepest.way, deepest.way.dot(shift) + deepest.distance});
     addTouches(piece, shift, touch, piece.least);
   }
 
@@ -193,7 +191,7 @@ class DeepImpact {
   }
 
   /// Whether the direction of so short a way is.
-  bool isKnown(double distance) const { return distance > 16 * of_.precision; }
+  bool isKnown(double distance) const { return distance > near_; }
 
   static void addTouch(Piece& piece, const Touch& touch) {
     if (piece.touches.size() == kMostTouches) piece.touches.erase(piece.touches.begin());
@@ -241,6 +239,7 @@ class DeepImpact {
   }
 
   const DeepQuestion& of_;
+  const double near_;  ///< what times of impact may take for a touch
   BestFirst<Piece> pieces_{kInfinity};
   int steps_ = 0;
 };

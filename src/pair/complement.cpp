@@ -73,7 +73,10 @@ class SnappedPoints {
 /// crossing, the piece is cut there if crossings are to be `rounded`, and otherwise refused.
 std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces, bool rounded) {
   std::vector<Ring> rings(given.ringCount());
-  for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(Vec2(piece.v.data()));
+  // Where they cross is known where areas don't leave the range of doubles.
+  const bool is_in_range = given.unit < 0x1p300 && given.unit > 0x1p-300;
+  const double scale = rounded && !is_in_range ? given.inverse_unit : 1;
+  for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
   const Pose still = Pose::Identity();
   KnownSides sides(PosedRegions({PosedPair(cut.data(), still, cut.data(), still)}));

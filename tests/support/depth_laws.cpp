@@ -183,7 +183,7 @@ std::string wrongBesideOthers(Random& random, const Case& c, const Excess& found
 }
 
 std::string wrongCoversButFor(const Case& c, const Excess& found) {
-  const double e = found.distance;
+  const double e = found.upper_bound;
   for (const double most : {5e-324, 1e-300, e * (1 - 1e-9), nudged(e, -1), e, nudged(e, 1), e * (1 + 1e-9), 2 * e}) {
     if (!(most > 0) || !std::isfinite(most)) continue;
     if (covers(c.b, c.pose_b, c.a, c.pose_a, {-most}) != (e <= most)) return valued("covers but for", e, most);
@@ -203,7 +203,8 @@ std::string wrongMargins(Random& random, const Case& c) {
   std::sort(margins.begin(), margins.end());
   bool closed_before = false, open_before = false;
   for (const double m : margins) {
-    if (!std::isfinite(m)) continue;
+    // A distance is rounded, and collide() exact with a margin from 0 on.
+    if (!std::isfinite(m) || (s > 0 && m == s)) continue;
     const bool closed = collide(c.a, c.pose_a, c.b, c.pose_b, {m}),
                open = collide(c.a, c.pose_a, c.b, c.pose_b, {m, 0, Touching::Allowed});
     if (closed != (s <= m)) return valued("collide beside signedDistance", s, m);
