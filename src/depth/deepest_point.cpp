@@ -308,8 +308,14 @@ class DepthSearch {
     const bool are_all = gather(cell.corner[side], cell.corner[(side + 1) % 3], heightOf(cell) - cell.least);
     if (are_all && leadsAway()) return;
     const std::size_t* const crossing = are_all ? edgeAcross(cell) : nullptr;
-    if (are_all && crossing == nullptr && (!is_outside || leadsAwayFrom(cell))) return;
+    if (are_all && crossing == nullptr && (isInArea(cell) || leadsAwayFrom(cell))) return;
     cut(cell, crossing);
+  }
+
+  /// Of a cell that no edge leads through.
+  bool isInArea(const Piece& cell) const {
+    const Vec2 center = (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3;
+    return area_.nearest(center).distance > 4 * frame_.error() && !isOutside(center);
   }
 
   /// Finds the edges within reach of a segment. False if there are too many.
