@@ -6,8 +6,8 @@
 // of edges. The area's edge nearest to that peak joins the choice next: the bound is exact once the choice holds the
 // edges that are nearest at the true maximum, as long as their feet are inside of them, and converges elsewhere.
 //
-// The maximum is at a point of the part's edges, on an arc outside of the area, or in the part's interior. There it is a
-// local maximum of the distance from the area alone: no direction leads away from all nearest points. A cell that has
+// The maximum is at a point of the part's edges, on an arc outside of the area, or in the part's interior. There it is
+// a local maximum of the distance from the area alone: no direction leads away from all nearest points. A cell that has
 // such a direction for all edges that may be nearest holds no such maximum.
 #include "depth/deepest_point.h"
 
@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "depth/directions.h"
@@ -24,6 +25,7 @@
 #include "numbers/best_first.h"
 #include "pair/edge_pairs.h"
 #include "penetration/rings.h"
+#include "polygon/convexity.h"
 
 namespace tricover::detail {
 namespace {
@@ -40,13 +42,13 @@ constexpr int kMostLooks = 24;
 struct Piece {
   bool operator<(const Piece& other) const { return least > other.least; }
 
-  double least;  ///< minus the upper bound of distances in it
-  int corners;   ///< 2 or 3; 0 for a chain
-  bool is_known = true;             ///< whether it is certainly outside of the area
-  std::size_t from = 0, to = 0;     ///< a chain's points; an edge is `from`
-  std::size_t at = 0;               ///< the chain's point to look at next
-  std::array<Vec2, 3> corner = {};  ///< a simplex'
-  Vec2 place = Vec2::Zero();        ///< the place in it to look at next
+  double least;                                     ///< minus the upper bound of distances in it
+  int corners;                                      ///< 2 or 3; 0 for a chain
+  bool is_known = true;                             ///< whether it is certainly outside of the area
+  std::size_t from = 0, to = 0;                     ///< a chain's points; an edge is `from`
+  std::size_t at = 0;                               ///< the chain's point to look at next
+  std::array<Vec2, 3> corner = {};                  ///< a simplex'
+  Vec2 place = Vec2::Zero();                        ///< the place in it to look at next
   std::array<std::size_t, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
   std::size_t edge_count = 0;
   int looks = 0;  ///< at its peak, since it was cut
@@ -71,6 +73,8 @@ class DepthSearch {
         area_(overlap.pair, frame_, 1 - part_side),
         arcs_(overlap.arcs[part_side]),
         is_outside_(overlap.is_outside),
+        is_concave_(is_outside_ && !overlap.excludes && cornersOf(area_.polygon) != nullptr),
+        inside_(is_concave_ ? regionSidesOf(area_.polygon).rings[0] * (area_.isMirrored() ? -1 : 1) : 0),
         precision_(overlap.precision()),
         enough_(enough / frame_.unit()),
         search_(-least / frame_.unit()) {}
@@ -90,6 +94,15 @@ class DepthSearch {
   }
 
  private:
+  /// A convex function, no less than how far a point outside of the area is from that. From an edge; of a convex region
+  /// the depth behind the edge's line.
+  double distance(std::size_t edge, const Vec2& p) const {
+    if (!is_concave_) return area_.distance(edge, p);
+    const Vec2 v = area_.vertex(edge), along = area_.vertex(edge + 1) - v;
+    const double length = along.norm();
+    return length > 0 ? inside_ * cross(along, p - v) / length : area_.distance(edge, p);
+  }
+
   bool isOutside(const Vec2& p) const {
     if (overlap_.excludes) return overlap_.excludes(frame_.toWorld(p));
     const Location location = area_.locate(p);
@@ -134,8 +147,7 @@ class DepthSearch {
       double most = 0;
       std::size_t at = chain.from;
       for (std::size_t i = chain.from; i <= chain.to; ++i)
-        if (const double distance = area_.distance(chain.edges[k], arcs_.points[i]); distance > most)
-          most = distance, at = i;
+        if (const double far = distance(chain.edges[k], arcs_.points[i]); far > most) most = far, at = i;
       if (most < -chain.least) chain.least = -most, chain.at = at;
     }
     search_.push(chain);
@@ -144,9 +156,12 @@ class DepthSearch {
   void expandChain(Piece& chain) {
     const std::size_t at = chain.at;
     switch (look(chain, arcs_.points[at], edgeAt(chain, at))) {
-      case Look::InArea: return;
-      case Look::NewEdge: return pushChain(chain);
-      case Look::NothingNew: break;
+      case Look::InArea:
+        return;
+      case Look::NewEdge:
+        return pushChain(chain);
+      case Look::NothingNew:
+        break;
     }
     const bool is_between = at > chain.from && at < chain.to;
     const std::size_t middle = is_between ? at : (chain.from + chain.to) / 2;
@@ -195,15 +210,16 @@ class DepthSearch {
     std::array<std::pair<OfCorners, std::size_t>, Peak::kMost> known;
     for (std::size_t k = 0; k < simplex.edge_count; ++k) {
       OfCorners distances{};
-      for (std::size_t c = 0; c < corners; ++c) distances[c] = area_.distance(simplex.edges[k], simplex.corner[c]);
+      for (std::size_t c = 0; c < corners; ++c) distances[c] = distance(simplex.edges[k], simplex.corner[c]);
       known[k] = {distances, simplex.edges[k]};
       peak.add(distances);
     }
     simplex.least = std::max(simplex.least, -peak.value);
     if (simplex.edge_count == 0) peak.place = {0.5, 0.5, 0};
     // The last one is the first to be forgotten.
-    std::sort(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(simplex.edge_count),
-              [&](const auto& p, const auto& q) { return valueAt(p.first, peak.place) < valueAt(q.first, peak.place); });
+    std::sort(
+        known.begin(), known.begin() + static_cast<std::ptrdiff_t>(simplex.edge_count),
+        [&](const auto& p, const auto& q) { return valueAt(p.first, peak.place) < valueAt(q.first, peak.place); });
     simplex.place = Vec2::Zero();
     for (std::size_t k = 0; k < simplex.edge_count; ++k) simplex.edges[k] = known[k].second;
     for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
@@ -212,11 +228,13 @@ class DepthSearch {
   void expandEdge(Piece& edge) {
     const Vec2 place = edge.place;
     switch (look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]))) {
-      case Look::InArea: return;
+      case Look::InArea:
+        return;
       case Look::NewEdge:
         if (++edge.looks < kMostLooks) return pushSimplex(edge);
         break;
-      case Look::NothingNew: break;
+      case Look::NothingNew:
+        break;
     }
     const Vec2 middle = cutOf(edge.corner[0], edge.corner[1], place);
     for (const auto& [v, w] : {std::pair(edge.corner[0], middle), std::pair(middle, edge.corner[1])}) {
@@ -258,7 +276,7 @@ class DepthSearch {
     const Vec2 v = corner(0, 0), u = corner(1, 0), w = corner(1, 1), t = corner(0, 1), center = corner(0.5, 0.5);
     const PosedSide::Near near = area_.nearest(center);
     double most = 0;
-    for (const Vec2& p : {v, u, w, t}) most = std::max(most, area_.distance(near.edge, p));
+    for (const Vec2& p : {v, u, w, t}) most = std::max(most, distance(near.edge, p));
     most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
     if (most + search_.upper <= precision_) return;
     const bool is_wide = box.sizes().x() > box.sizes().y();
@@ -301,38 +319,58 @@ class DepthSearch {
     const bool is_new = cell.addEdge(near.edge);
     bound(cell);
     if (-cell.least + search_.upper <= precision_) return;
+    // In a convex region the depth is concave: where its peak in the cell isn't in the part, no inner point of that is
+    // one.
+    if (is_concave_ && !is_in_part && is_outside && near.distance + precision_ >= -cell.least) return;
     // A cell is first looked at in its middle, then at its peak.
     if ((is_new || cell.looks == 0) && ++cell.looks < kMostLooks) return search_.push(cell);
     if (!is_in_part && part_.nearest(place).distance > reach) return;
     const std::size_t side = longestSideOf(cell);
-    const bool are_all = gather(cell.corner[side], cell.corner[(side + 1) % 3], heightOf(cell) - cell.least);
-    if (are_all && leadsAway()) return;
-    const std::size_t* const crossing = are_all ? edgeAcross(cell) : nullptr;
-    if (are_all && crossing == nullptr && (isInArea(cell) || leadsAwayFrom(cell))) return;
-    cut(cell, crossing);
+    const Vec2 &from = cell.corner[side], &to = cell.corner[(side + 1) % 3];
+    const double height = heightOf(cell);
+    if (!gather(from, to, height - cell.least)) return cut(cell, nullptr);
+    if (leadsAway()) return;
+    std::optional<Ends> crossing = edgeAcross(cell, area_, edges_);
+    if (!crossing && (isInArea(cell) || leadsAwayFrom(cell))) return;
+    if (!crossing && gather(part_, from, to, height, part_edges_)) {
+      crossing = edgeAcross(cell, part_, part_edges_);
+      if (!crossing && isOutsideOfPart(cell)) return;
+    }
+    cut(cell, crossing ? &*crossing : nullptr);
   }
 
   /// Of a cell that no edge leads through.
   bool isInArea(const Piece& cell) const {
-    const Vec2 center = (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3;
+    const Vec2 center = centerOf(cell);
     return area_.nearest(center).distance > 4 * frame_.error() && !isOutside(center);
   }
+  bool isOutsideOfPart(const Piece& cell) const {
+    const Vec2 center = centerOf(cell);
+    return part_.nearest(center).distance > 4 * frame_.error() && part_.locate(center) == Location::Outside;
+  }
+  static Vec2 centerOf(const Piece& cell) { return (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3; }
 
-  /// Finds the edges within reach of a segment. False if there are too many.
-  bool gather(const Vec2& from, const Vec2& to, double reach) {
-    edges_.clear();
-    area_.forEachNear(from, to, reach, [&](std::size_t edge) {
-      edges_.push_back(edge);
-      return edges_.size() < kMostEdges;
+  /// Finds the area's edges within reach of a segment. False if there are too many.
+  bool gather(const Vec2& from, const Vec2& to, double reach) { return gather(area_, from, to, reach, edges_); }
+
+  static bool gather(const PosedSide& side, const Vec2& from, const Vec2& to, double reach,
+                     std::vector<std::size_t>& edges) {
+    const Vec2 middle = 0.5 * from + 0.5 * to;
+    const double farthest = reach + 0.5 * (to - from).norm();
+    edges.clear();
+    side.forEachNear(from, to, reach, [&](std::size_t edge) {
+      if (side.distance(edge, middle) <= farthest) edges.push_back(edge);
+      return edges.size() < kMostEdges;
     });
-    return edges_.size() < kMostEdges;
+    return edges.size() < kMostEdges;
   }
 
   static std::size_t longestSideOf(const Piece& cell) {
     std::size_t longest = 0;
     double length = -1;
     for (std::size_t c = 0; c < 3; ++c)
-      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length) length = side, longest = c;
+      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length)
+        length = side, longest = c;
     return longest;
   }
 
@@ -350,17 +388,18 @@ class DepthSearch {
     return true;
   }
 
-  /// An edge that leads through a cell's interior, or null: the one whose line is nearest to the centre.
-  const std::size_t* edgeAcross(const Piece& cell) const {
-    const Vec2 center = (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3;
-    const std::size_t* best = nullptr;
+  /// An edge that leads through a cell's interior, if there is one: that whose line is nearest to the centre.
+  std::optional<Ends> edgeAcross(const Piece& cell, const PosedSide& side,
+                                 const std::vector<std::size_t>& edges) const {
+    const Vec2 center = centerOf(cell);
+    std::optional<Ends> best;
     double nearest = kInfinity;
-    for (const std::size_t& edge : edges_) {
-      const Ends ends{area_.vertex(edge), area_.vertex(edge + 1)};
+    for (const std::size_t edge : edges) {
+      const Ends ends{side.vertex(edge), side.vertex(edge + 1)};
       const double length = (ends.w - ends.v).norm();
       if (!leadsThrough(cell, ends, length)) continue;
       const double beside = std::abs(cross(ends.w - ends.v, center - ends.v)) / length;
-      if (beside < nearest) nearest = beside, best = &edge;
+      if (beside < nearest) nearest = beside, best = ends;
     }
     return best;
   }
@@ -382,16 +421,17 @@ class DepthSearch {
   }
 
   /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
-  void cut(const Piece& cell, const std::size_t* edge) {
+  void cut(const Piece& cell, const Ends* edge) {
     const std::size_t longest = longestSideOf(cell);
     if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 4 * frame_.error())) return;
-    Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3], along = cell.corner[(longest + 2) % 3] - v;
-    if (edge != nullptr) v = area_.vertex(*edge), along = area_.vertex(*edge + 1) - v;
+    Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3],
+         along = cell.corner[(longest + 2) % 3] - v;
+    if (edge != nullptr) v = edge->v, along = edge->w - edge->v;
     std::array<double, 3> beside;
     for (std::size_t c = 0; c < 3; ++c) {
       beside[c] = cross(along, cell.corner[c] - v);
-      const bool is_on_line = edge != nullptr ? std::abs(beside[c]) <= 2 * frame_.error() * along.norm()
-                                              : c == (longest + 2) % 3;
+      const bool is_on_line =
+          edge != nullptr ? std::abs(beside[c]) <= 2 * frame_.error() * along.norm() : c == (longest + 2) % 3;
       if (is_on_line) beside[c] = 0;
     }
     for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
@@ -425,17 +465,17 @@ class DepthSearch {
     }
   }
 
-
   const Overlap& overlap_;
   const WorldFrame& frame_;
   const PosedSide part_, area_;
   const InnerArcs& arcs_;
-  const bool is_outside_;
+  const bool is_outside_, is_concave_;
+  const double inside_;  ///< of a convex region: 1 if that is to the left of its edges, -1 to the right
   const double precision_, enough_;
   BestFirst<Piece> search_;
   DeepestPoint best_;  ///< in the frame
   std::size_t steps_ = 0;
-  std::vector<std::size_t> edges_;  ///< of the area, that are near a cell
+  std::vector<std::size_t> edges_, part_edges_;  ///< of the area, and of the part, that are near a cell
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "tricover/depth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -10,11 +11,14 @@
 #include "depth/deepest_point.h"
 #include "depth/depth_in_order.h"
 #include "depth/excess.h"
+#include "depth/posed_side.h"
 #include "numbers/rigidity.h"
 #include "pair/discs.h"
 #include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "pair/posed_pair.h"
+#include "penetration/separating_axes.h"
+#include "polygon/convexity.h"
 #include "tricover/collide.h"
 #include "tricover/covers.h"
 
@@ -29,6 +33,43 @@ EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
 }
 
 Depth noDepth() { return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0}; }
+
+/// Of convex regions no point is deeper than the shortest translation is long. So that is the depth, where the corner
+/// behind the least face has no other edge nearer.
+std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double* precision) {
+  if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return std::nullopt;
+  const SeparatingAxes axes(pair);
+  if (axes.verdict() != SeparatingAxes::Meet) return std::nullopt;
+  *precision = axes.tie();
+  if (axes.leastDepth() + axes.tie() < beside && beside < kInfinity) {
+    Depth less = noDepth();
+    less.upper_bound = axes.leastDepth();
+    return less;
+  }
+  const WorldFrame frame(pair);
+  for (const FaceDepth& face : axes) {
+    const int own = face.of_a ? 0 : 1;
+    const AxisSide& other = axes.side(!face.of_a);
+    const PosedSide region(pair, frame, own);
+    // Corners beside it may be as deep.
+    const auto& ring = other.ring.ring;
+    for (const std::uint32_t k : {face.deepest, ring.next(face.deepest), ring.previous(face.deepest)}) {
+      const std::size_t corner = other.outline.corners[k];
+      const Vec2 point = frame.from(1 - own, other.polygon.path[corner]);
+      const PosedSide::Near near = region.nearest(point);
+      const double depth = near.distance * frame.unit();
+      if (!(depth > axes.tie() && depth >= face.depth - axes.tie()) || region.locate(point) == Location::Outside)
+        continue;
+      const Vec2 at = frame.toWorld(point), nearest = frame.toWorld(near.point);
+      const Vec2 way = (near.point - point) / near.distance;
+      const EdgeIndex own_edge = region.polygon.edgeName(near.edge), other_edge = other.polygon.edgeName(corner);
+      const double most = std::max(depth, face.depth);
+      return face.of_a ? Depth{depth, way, nearest, at, own_edge, other_edge, false, most}
+                       : Depth{depth, -way, at, nearest, other_edge, own_edge, true, most};
+    }
+  }
+  return std::nullopt;
+}
 
 /// Whose depths are above `enough` or not above `least` needs no better answer.
 Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double least,
@@ -72,19 +113,28 @@ Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& 
   if (a.fill.is_complement && b.fill.is_complement)
     return {kInfinity, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, kInfinity};
   double precision = 0;
-  if (wish.beside < kInfinity) {
-    // Bounds that are farther apart than the precision of all searches decide.
-    const double room = 0x1p-44 * (a.extent + b.extent + (pose_a.translation() - pose_b.translation()).lpNorm<1>());
-    const Depth found = depthBetween(a, pose_a, b, pose_b, std::max(wish.beside - room, 0.0), wish.beside + room, &precision);
-    if (found.upper_bound < wish.beside - room || found.depth > wish.beside + room) return found;
+  const auto known = [&](const Depth& found) {
+    // Rounding must not hide whether a point of one is inside of the other.
+    if (found.upper_bound > 64 * precision) return found;
+    const bool is_deep = interiorsMeet(a, pose_a, b, pose_b);
+    if (is_deep && found.depth > 0) return found;
+    const double least = is_deep ? std::numeric_limits<double>::denorm_min() : 0;
+    return Depth{least, found.normal, Vec2::Zero(), Vec2::Zero(), -1, -1, false, least};
+  };
+  if (const std::optional<Depth> found = depthOfConvex(PosedPair(a, pose_a, b, pose_b), wish.beside, &precision))
+    return known(*found);
+  // Bounds that are farther apart than the precision of all searches decide.
+  const double room = 0x1p-44 * (a.extent + b.extent + (pose_a.translation() - pose_b.translation()).lpNorm<1>());
+  const double least = wish.beside - room, enough = wish.beside + room;
+  if (wish.beside < kInfinity && least > 0) {
+    Depth found = depthBetween(a, pose_a, b, pose_b, least, enough, &precision);
+    if (found.depth > enough) return found;
+    if (found.upper_bound <= least) {
+      found.upper_bound = std::min(least, std::nextafter(wish.beside, 0.0));
+      return found;
+    }
   }
-  Depth found = depthBetween(a, pose_a, b, pose_b, 0, kInfinity, &precision);
-  // Rounding must not hide whether a point of one is inside of the other.
-  if (found.upper_bound > 64 * precision) return found;
-  const bool is_deep = interiorsMeet(a, pose_a, b, pose_b);
-  if (is_deep && found.depth > 0) return found;
-  const double least = is_deep ? std::numeric_limits<double>::min() : 0;
-  return {least, found.normal, Vec2::Zero(), Vec2::Zero(), -1, -1, false, least};
+  return known(depthBetween(a, pose_a, b, pose_b, 0, kInfinity, &precision));
 }
 
 }  // namespace detail
@@ -108,7 +158,7 @@ Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, c
   const detail::DeepestPoint found =
       detail::excessOfUnion({detail::PosedPair(of_part, pose_part, of_area, pose_area)}, detail::kInfinity);
   // Not covered, though rounding may hide it.
-  const double least = std::numeric_limits<double>::min();
+  const double least = std::numeric_limits<double>::denorm_min();
   return {std::max(found.distance, least),
           found.point,
           found.nearest,
