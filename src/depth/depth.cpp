@@ -27,6 +27,8 @@ namespace detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Above what lengths lose near the least double.
+constexpr double kLeast = 0x1p-1060;
 
 EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
   return position < 0 ? -1 : polygon.edgeName(static_cast<std::size_t>(position));
@@ -40,8 +42,9 @@ std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double*
   if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return std::nullopt;
   const SeparatingAxes axes(pair);
   if (axes.verdict() != SeparatingAxes::Meet) return std::nullopt;
-  *precision = axes.tie();
-  if (axes.leastDepth() + axes.tie() < beside && beside < kInfinity) {
+  const double tie = axes.tie() + kLeast;
+  *precision = tie;
+  if (axes.leastDepth() + tie < beside && beside < kInfinity) {
     Depth less = noDepth();
     less.upper_bound = axes.leastDepth();
     return less;
@@ -58,8 +61,7 @@ std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double*
       const Vec2 point = frame.from(1 - own, other.polygon.path[corner]);
       const PosedSide::Near near = region.nearest(point);
       const double depth = near.distance * frame.unit();
-      if (!(depth > axes.tie() && depth >= face.depth - axes.tie()) || region.locate(point) == Location::Outside)
-        continue;
+      if (!(depth > tie && depth >= face.depth - tie) || region.locate(point) == Location::Outside) continue;
       const Vec2 at = frame.toWorld(point), nearest = frame.toWorld(near.point);
       const Vec2 way = (near.point - point) / near.distance;
       const EdgeIndex own_edge = region.polygon.edgeName(near.edge), other_edge = other.polygon.edgeName(corner);
@@ -124,7 +126,8 @@ Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& 
   if (const std::optional<Depth> found = depthOfConvex(PosedPair(a, pose_a, b, pose_b), wish.beside, &precision))
     return known(*found);
   // Bounds that are farther apart than the precision of all searches decide.
-  const double room = 0x1p-44 * (a.extent + b.extent + (pose_a.translation() - pose_b.translation()).lpNorm<1>());
+  const double room =
+      0x1p-44 * (a.extent + b.extent + (pose_a.translation() - pose_b.translation()).lpNorm<1>()) + kLeast;
   const double least = wish.beside - room, enough = wish.beside + room;
   if (wish.beside < kInfinity && least > 0) {
     Depth found = depthBetween(a, pose_a, b, pose_b, least, enough, &precision);

@@ -151,6 +151,8 @@ std::string wrongExcess(const Case& c, const Excess& found) {
   const double precision = depthPrecision(c), error = 2 * precision;
   if (!(found.upper_bound - found.distance <= precision))
     return valued("a budget ended", found.distance, found.upper_bound);
+  // Not covered by less than rounding.
+  if (found.distance <= precision && found.edge == -1 && found.nearest_edge == -1) return "";
   if (!(std::abs(length(found.point - found.nearest) - found.distance) <= error))
     return "points that aren't that far apart";
   if (!isNear(found.point, c.a, c.pose_a, error)) return "the point isn't in the part";
