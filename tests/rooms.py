@@ -13,7 +13,7 @@ import re
 import sys
 
 # First to last; rooms that share a line don't see each other.
-CORE = [["numbers"], ["polygon"], ["hierarchy"], ["convex"], ["pair"], ["distance", "impact"], ["penetration"], ["contact"], ["scene"], ["drawing", "io"]]
+CORE = [["numbers"], ["polygon"], ["hierarchy"], ["convex"], ["pair"], ["distance", "impact"], ["penetration"], ["contact"], ["depth"], ["scene"], ["drawing", "io"]]
 ADAPTER = [["shape"], ["shadow"], ["queries"], ["broadphase", "entry"]]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)

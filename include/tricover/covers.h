@@ -9,8 +9,12 @@ namespace tricover {
 
 /// The options of covers() and Scene::covers().
 struct CoverOptions {
-  /// A world length, at least 0. Inflates the part: all points within the margin of the part must lie in the area, too.
+  /// A world length, finite. Inflates the part: all points within the margin of the part must lie in the area, too.
   /// A boundary of the area exactly that far from the part is far enough.
+  ///
+  /// With a negative margin of -e the part may stick out of the area by e: no point of the part is farther than e from
+  /// the area, by excess() and as precisely. Gaps and posts thinner than 2 e are overlooked. Who must respect these asks
+  /// collide() with the area's complement.
   double margin = 0;
 };
 
@@ -23,7 +27,7 @@ struct CoverOptions {
 ///
 /// The time is O((n + k) log n) for n edges near the part and k pairs of them that meet.
 ///
-/// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is negative or not finite.
+/// \throws std::invalid_argument if a pose is not rigid, as collide() does, or the margin is not finite.
 ///
 /// \snippet covers.cpp covers
 TRICOVER_EXPORT bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, const Pose& pose_part,

@@ -111,6 +111,13 @@ struct BodyImpact {
   Impact impact;    ///< a is the query's polygon, b the body.
 };
 
+/// When bodies stop covering a moving polygon.
+struct Exit {
+  double time;                ///< They cover the polygon until then.
+  Vec2 point;                 ///< Where the polygon leaves them then, in the world.
+  bool budget_ended = false;  ///< The search ended early: they may cover the polygon for longer.
+};
+
 /// The motion of a body from time 0 to 1.
 struct BodyMotion {
   BodyHandle body;  ///< The body that moves.
@@ -283,6 +290,18 @@ class TRICOVER_EXPORT Scene {
   /// \snippet covers.cpp scene covers
   bool covers(const Polygon& polygon, const Pose& pose, const CoverOptions& options = {},
               const BodyFilter& filter = {}) const;
+  /// Returns the first time at which covers() is false of a moving polygon while all bodies rest, or nothing if they
+  /// cover it throughout. Time runs from 0 to 1. The time is never late. Along a border that the polygon follows,
+  /// rounding may decide: allow it to stick out a little, by a margin of -1e-6.
+  /// \throws std::invalid_argument as covers() does, and for a motion that checkMotion() refuses
+  /// \snippet covers.cpp first exit
+  std::optional<Exit> firstExit(const Polygon& polygon, const Motion& motion, const CoverOptions& options = {},
+                                const BodyFilter& filter = {}) const;
+  /// Returns the same along a trajectory, by its clock.
+  /// \throws std::invalid_argument as covers() does
+  /// \snippet covers.cpp first exit
+  std::optional<Exit> firstExit(const Polygon& polygon, const Trajectory& trajectory, const CoverOptions& options = {},
+                                const BodyFilter& filter = {}) const;
   /// Returns the body nearest to a polygon among those that pass the filter. Equal distances: the lowest handle.
   /// \throws std::invalid_argument as tricover::distance() does
   /// \snippet scene.cpp scene queries

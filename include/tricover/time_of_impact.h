@@ -61,12 +61,11 @@ struct Impact {
 /// others, or outlines that stay within rounding of each other. If it ends, the result is an impact
 /// at the time before which contact is excluded, with `budget_ended` set.
 ///
-/// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. An interval
-/// of time is free if one polygon has no contact in it once it is translated by no more than is allowed, or made
-/// smaller by as much; these are times of impact as above. Where neither is free, as of jaws that grip a bar, the
-/// search goes on by the overlap that is left until the allowed one. There the local depths of polygons that are not
-/// convex may jump, as components join, and an impact may be later by such a step. After 4096 steps the result has
-/// `budget_ended` set.
+/// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. The result is
+/// never later than the first time at which the regions are as deep. A stretch of time is free if one polygon has no
+/// contact in it once it is translated by no more than is allowed, or a convex one made smaller by as much; these are
+/// times of impact as above. Where neither is free, as of jaws that grip a bar, the search goes on for as long as the
+/// depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
 ///
 /// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
 /// time_error that is negative or not finite

@@ -5,6 +5,7 @@
 #include "tricover/conflicts.h"
 #include "tricover/contacts.h"
 #include "tricover/covers.h"
+#include "tricover/depth.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"
 #include "tricover/least_distance.h"

@@ -3,18 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "depth/border.h"
 #include "impact/cubic.h"
+#include "impact/deep_impact.h"
 #include "impact/options.h"
 #include "impact/vertex_paths.h"
 #include "numbers/rigidity.h"
-#include "pair/allowed_overlap.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
-#include "polygon/convexity.h"
+#include "penetration/rings.h"
+#include "polygon/edge_walk.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
 
 namespace tricover {
 namespace detail {
@@ -48,6 +52,25 @@ int stepsAlongContacts(const MovingPair& pair) {
   return static_cast<int>(std::min((0x1p10 + 16 * edges) * (1 + radians), 0x1p21));
 }
 
+/// From an edge of a region that has its inside on one side of each alone; and from the next one, at their vertex.
+std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact& touch, double precision) {
+  const PolygonData& data = region.data();
+  const std::size_t edge = data.edgePosition(static_cast<std::size_t>(touch.edge_a));
+  std::vector<Vec2> normals;
+  const auto add = [&](std::size_t position) {
+    const Vec2 along = pose.linear() * (data.path[position + 1] - data.path[position]);
+    const double side = regionSidesOf(data).rings[data.ringOf(position)] * (isMirrored(pose) ? -1 : 1);
+    normals.push_back((side * Vec2(along.y(), -along.x())).stableNormalized());
+  };
+  add(edge);
+  const auto isAt = [&](std::size_t position) {
+    return (pose * data.path[position] - touch.point).stableNorm() <= precision;
+  };
+  if (isAt(edge + 1)) add(edgeAfter(data, edge));
+  if (isAt(edge)) add(edgesAt(data, edge).before);
+  return normals;
+}
+
 }  // namespace
 
 MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
@@ -63,21 +86,18 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       touch_margin_(margin_ < 0 ? margin_ + 2 * precision_ : margin_ + precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),
       speed_(mostSpeed(pair_)) {
+  depth_.first = -1;
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
 
-std::vector<Contact> MovingContact::overlapAt(double time) const {
-  return allowedOverlap(a_, motion_a_.at(time), b_, motion_b_.at(time), -margin_, 2 * precision_);
-}
-
-double MovingContact::depthAt(double time) const {
-  if (depth_.first != time) depth_ = {time, depthOf(overlapAt(time))};
+const Depth& MovingContact::depthAt(double time) const {
+  if (depth_.first != time) depth_ = {time, depth(a_, motion_a_.at(time), b_, motion_b_.at(time))};
   return depth_.second;
 }
 
 bool MovingContact::touchAt(double time) const {
-  if (margin_ < 0) return depthAt(time) > 0 && depthAt(time) >= -touch_margin_;
+  if (margin_ < 0) return depthAt(time).upper_bound > 0 && depthAt(time).upper_bound >= -touch_margin_;
   return collide(a_, motion_a_.at(time), b_, motion_b_.at(time), {touch_margin_, 0});
 }
 
@@ -99,9 +119,9 @@ struct MovingContact::Posed {
 bool MovingContact::meetUntil(double time, double next) const {
   const double travel = speed_ * (next - time) * kSpared;
   if (margin_ < 0) {
-    // The depth of convex polygons that slide is concave in time, so that it is least at one of both times.
-    const bool is_concave = pair_.slides() && cornersOf(a_.data()) != nullptr && cornersOf(b_.data()) != nullptr;
-    return depthAt(time) >= travel - margin_ || (is_concave && touchAt(time) && touchAt(next));
+    const Depth first = depthAt(time);
+    if (first.depth == std::numeric_limits<double>::infinity() || first.depth >= travel - margin_) return true;
+    return staysDeep(time, next);
   }
   const Posed posed(pair_, time);
   if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;
@@ -109,6 +129,38 @@ bool MovingContact::meetUntil(double time, double next) const {
       findCertificate(posed.pair.a, posed.pose_a, posed.pair.b, posed.pose_b, {0, 0}, {2 * travel, true});
   if (found.collides && found.clearance + margin_ > travel) return true;
   return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
+}
+
+/// Whether the deepest point of the first time stays so far from the borders around it.
+bool MovingContact::staysDeep(double time, double next) const {
+  const Depth& deep = depthAt(time);
+  if (!(deep.depth > 0 && touch_margin_ < 0 && next > time) || deep.point_a == deep.point_b) return false;
+  const bool of_a = deep.is_point_of_a;
+  const Motion &own = of_a ? motion_a_ : motion_b_, &other = of_a ? motion_b_ : motion_a_;
+  std::optional<Polygon>& walls = walls_[of_a ? 1 : 0];
+  if (!walls) walls.emplace(wallsOf(of_a ? b_ : a_));
+  const Vec2 at = own.at(time).inverse(Eigen::Affine) * (of_a ? deep.point_a : deep.point_b);
+  if (!at.allFinite()) return false;
+  return !timeOfImpact(*walls, other.part(time, next), point(at), own.part(time, next), {-touch_margin_, 1});
+}
+
+/// The first contact that is as deep as the margin allows.
+std::optional<Impact> MovingContact::deepImpact() const {
+  const Polygon borders_a = bordersOf(a_), borders_b = bordersOf(b_);
+  DeepQuestion question{a_, motion_a_, b_, motion_b_, borders_a, borders_b, -margin_, precision_, speed_};
+  question.asks_a = withBordersOnly(b_.data()) != nullptr;
+  question.asks_b = withBordersOnly(a_.data()) != nullptr;
+  question.depth = [&](double time) { return depthAt(time); };
+  question.deepest = [&](const Polygon& piece, bool of_a, double time) {
+    const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
+    const Polygon& region = of_a ? borders_b : borders_a;
+    const Overlap overlap(piece.data(), of_a ? pose_a : pose_b, {region.data(), of_a ? pose_b : pose_a, true});
+    return findDeepestPoint(overlap, false, 0, std::numeric_limits<double>::infinity());
+  };
+  question.away = [&](const Impact& touch, bool of_a, double time) {
+    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch, 16 * precision_);
+  };
+  return findDeepImpact(question);
 }
 
 /// Whether one holds the other, and goes on to: by the edges that come near, none of which meet.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "impact/moving_pair.h"
 #include "tricover/conflicts.h"
-#include "tricover/contacts.h"
+#include "tricover/depth.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::detail {
@@ -32,27 +33,31 @@ class MovingContact {
   /// Whether they touch at a time; with a negative margin, whether they are as deep in each other.
   bool touchAt(double time) const;
 
+  /// How far points may be from where they are said to be, a world length.
+  double precision() const { return precision_; }
+  /// No point of one polygon moves faster against the other one.
+  double speed() const { return speed_; }
   /// With a negative margin, the first contact that is as deep.
   std::optional<Impact> deepImpact() const;
 
  private:
-  friend class DeepImpact;
   struct Posed;
-  std::vector<Contact> overlapAt(double time) const;  ///< with a negative margin
-  double depthAt(double time) const;                  ///< likewise
+  const Depth& depthAt(double time) const;  ///< with a negative margin
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
   bool staysContained(double time, double next, double travel) const;
+  bool staysDeep(double time, double next) const;
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
   const MovingPair pair_;
-  const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
-  double precision_;            ///< of where points are
-  double touch_margin_;         ///< within which they touch
-  mutable std::pair<double, double> depth_{-1, 0};  ///< the last time and depth
-  int steps_left_;                                  ///< of endOfContact(), for all contacts together
-  double speed_;                                    ///< no point of one moves faster against the other one
+  const double margin_, seen_;               ///< begins are told so much too early, and ends so much too late, at most
+  double precision_;                         ///< of where points are
+  double touch_margin_;                      ///< within which they touch
+  mutable std::pair<double, Depth> depth_;   ///< the last time and depth
+  mutable std::optional<Polygon> walls_[2];  ///< the borders of a, and of b, as segments
+  int steps_left_;                           ///< of endOfContact(), for all contacts together
+  double speed_;                             ///< no point of one moves faster against the other one
 };
 
 /// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If

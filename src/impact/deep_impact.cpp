@@ -1,33 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With a negative margin: the first time at which two regions are deeper in each other than the overlap that is
-// allowed.
+// With a negative margin: the first time at which a point of one region is as deep in the other one as is allowed.
 //
-// Where b is apart from a once all of its points have been moved by no more than that, they are not as deep. So the
-// ordinary time of impact of a b that has been translated by so much proves an interval of time. At its end the
-// translated b touches a. The normal there says what the next translation has to keep farther away from. Where no
-// translation keeps away from all touches, b is shrunk instead, as in a corridor of its own width; or else the depth
-// says how long the regions certainly are not as deep as is allowed.
+// A piece of b is apart from a once it has been translated by no more than that: then none of its points is as deep. So
+// the ordinary time of impact of a translated piece proves an interval of time. At its end the piece touches a. The
+// normal there says what the next translation has to keep farther away from. The first piece is all of b, whose proof
+// is one of a, too. Where no translation keeps a piece away from all touches, it is cut: the first point that is so
+// deep is on an edge, and each piece of an outline has translations of its own. A short one's depth says how long it
+// certainly isn't as deep.
+#include "impact/deep_impact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
-#include "impact/conflicts.h"
 #include "impact/options.h"
-#include "pair/allowed_overlap.h"
-#include "polygon/convexity.h"
+#include "numbers/best_first.h"
+#include "tricover/contacts.h"
 
 namespace tricover::detail {
 namespace {
 
-/// An ordinary time of impact, or a step of time, costs some microseconds.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A time of impact, or a depth, costs some microseconds.
 constexpr int kMostSteps = 1 << 12;
 /// The touches that a translation keeps away from, the last ones. More than three seldom matter.
 constexpr std::size_t kMostTouches = 6;
 /// Touches at one time, after which translations are given up there.
 constexpr int kMostAtOnce = 8;
 
-/// b touches a here if it is translated by no more than `depth` along the normal.
+/// A piece touches the other region here if it is translated by no more than `depth` along the normal.
 struct Touch {
   Vec2 normal;
   double depth;
@@ -42,9 +46,9 @@ struct Room {
 /// equally far from two touches.
 Room widestRoom(std::vector<Touch> all, double most) {
   for (Touch& touch : all) touch.depth /= most;
-  Room best{Vec2::Zero(), -std::numeric_limits<double>::infinity()};
+  Room best{Vec2::Zero(), -kInfinity};
   const auto offer = [&](const Vec2& shift) {
-    double left = std::numeric_limits<double>::infinity();
+    double left = kInfinity;
     for (const Touch& touch : all) left = std::min(left, touch.normal.dot(shift) - touch.depth);
     if (shift.squaredNorm() <= 1 + 0x1p-40 && left > best.left) best = {shift, left};
   };
@@ -62,106 +66,186 @@ Room widestRoom(std::vector<Touch> all, double most) {
   return {best.shift * most, best.left * most};
 }
 
-}  // namespace
+/// A part of an outline, or all of b.
+struct Piece {
+  bool operator<(const Piece& other) const { return least > other.least; }
 
-/// The search for a first contact that is deeper than the margin allows.
+  double least;  ///< the time until which none of its points is as deep as is allowed
+  bool of_a;
+  std::vector<Vec2> chain;  ///< a polyline in its body's frame; empty for all of b
+  std::vector<Touch> touches = {};
+  int at_once = 0;  ///< impacts at that time
+};
+
+/// There and back.
+Polygon polygonOf(const std::vector<Vec2>& chain) {
+  Ring ring(chain.begin(), chain.end());
+  for (std::size_t i = chain.size() - 2; i > 0; --i) ring.push_back(chain[i]);
+  if (ring.size() < 3) ring.push_back(ring.back());
+  return Polygon(ring.data(), ring.size());
+}
+
 class DeepImpact {
  public:
-  DeepImpact(const MovingContact& pair, double allowed) : pair_(pair), allowed_(allowed) {}
+  explicit DeepImpact(const DeepQuestion& question) : of_(question), near_(16 * question.precision) {}
 
   std::optional<Impact> find() {
-    touchAll(overlapNow());
-    for (int step = 0; step < kMostSteps; ++step) {
-      const Room room = widestRoom(touches_, allowed_);
-      if (room.left > pair_.precision_ && at_once_ < kMostAtOnce) {
-        if (!advance(room.shift)) return ended();
-        continue;
-      }
-      const std::vector<Contact> overlap = overlapNow();
-      const double depth = depthOf(overlap);
-      // After a proven interval an impact is as early as ordinary ones are.
-      if (depth >= allowed_ - (time_ > 0 ? 2 * pair_.precision_ : 0)) return impactHere(overlap);
-      if (time_ >= 1) return std::nullopt;
-      const double last = time_;
-      if (!advanceShrunk()) return ended();
-      const double proven = last + std::max(allowed_ - depth, pair_.precision_) / pair_.speed_;
-      time_ = std::min(std::max(time_, proven), 1.0);
-      touchAll(overlapNow());
-    }
-    Impact impact = impactHere(overlapNow());
-    impact.budget_ended = true;
+    if (of_.asks_a && of_.asks_b)
+      pieces_.push({0, false, {}});
+    else
+      addOutlines(0);
+    const bool has_ended = !pieces_.run(
+        0, [&] { return ++steps_ > kMostSteps; }, [&](Piece&& piece) { expand(std::move(piece)); });
+    const double time = pieces_.lower();
+    if (!(time <= 1)) return std::nullopt;
+    Impact impact = impactAt(time);
+    impact.budget_ended = has_ended;
     return impact;
   }
 
  private:
-  std::vector<Contact> overlapNow() const { return pair_.overlapAt(time_); }
-
-  void touchAll(const std::vector<Contact>& overlap) {
-    touches_.clear();
-    at_once_ = 0;
-    for (std::size_t k = 0; k < std::min(overlap.size(), kMostTouches); ++k)
-      touches_.push_back({overlap[k].normal, overlap[k].depth});
-  }
-
-  /// Goes on to the next contact of `b`, translated. False if there is none, or if it is not known.
-  bool advance(const Polygon& b, const Vec2& shift) {
-    Motion motion_b = pair_.motion_b_.part(time_, 1);
-    motion_b.start.translation() += shift;
-    const double time_error = std::min(pair_.precision_ / pair_.speed_, 1.0);
-    touch_ = timeOfImpact(pair_.a_, pair_.motion_a_.part(time_, 1), b, motion_b, {0, time_error});
-    if (!touch_) return false;
-    ++at_once_;
-    const double last = time_;
-    time_ = std::min(timeWithin(last, 1 - last, touch_->time), 1.0);
-    if (time_ > last) {
-      at_once_ = 0;
-      touches_.clear();
+  void expand(Piece&& piece) {
+    const Room room = widestRoom(piece.touches, of_.allowed);
+    if (room.left > near_ && piece.at_once < kMostAtOnce && advance(piece, room.shift)) return;
+    const double time = piece.least;
+    const Measured deep = measure(piece);
+    // After a proven interval an impact is as early as ordinary ones are.
+    if (deep.most >= of_.allowed - (time > 0 ? near_ : 0)) {
+      pieces_.upper = std::min(pieces_.upper, time);
+      return;
     }
-    return !touch_->budget_ended;
+    if (time >= 1) return;
+    if (deep.most < of_.allowed - near_ && cut(piece, of_.allowed - deep.most)) return;
+    const double proven = std::max(of_.allowed - deep.most, of_.precision) / of_.speed;
+    piece.least = std::min(time + proven, 1.0);
+    piece.touches.clear();
+    piece.at_once = 0;
+    pieces_.push(std::move(piece));
   }
 
-  bool advance(const Vec2& shift) {
-    if (!advance(pair_.b_, shift)) return false;
-    if (touches_.size() == kMostTouches) touches_.erase(touches_.begin());
-    touches_.push_back({touch_->normal, touch_->normal.dot(shift)});
+  struct Measured {
+    double most;
+    Touch touch;
+  };
+  Measured measure(const Piece& piece) const {
+    if (piece.chain.empty()) {
+      const Depth depth = of_.depth(piece.least);
+      return {depth.upper_bound, {depth.normal, depth.depth}};
+    }
+    const DeepestPoint deepest = of_.deepest(polygonOf(piece.chain), piece.of_a, piece.least);
+    return {deepest.upper_bound, {deepest.way, deepest.distance}};
+  }
+
+  /// Goes on to the next contact of a translated piece. False if nothing is known of it.
+  bool advance(Piece& piece, const Vec2& shift) {
+    const double last = piece.least;
+    const bool is_all = piece.chain.empty();
+    const Polygon moved = is_all ? of_.b : polygonOf(piece.chain);
+    const Polygon& other = is_all ? of_.a : piece.of_a ? of_.borders_b : of_.borders_a;
+    Motion motion = (piece.of_a ? of_.motion_a : of_.motion_b).part(last, 1);
+    motion.start.translation() += shift;
+    const double time_error = std::min(of_.precision / of_.speed, 1.0);
+    const std::optional<Impact> touch =
+        timeOfImpact(other, (piece.of_a ? of_.motion_b : of_.motion_a).part(last, 1), moved, motion, {0, time_error});
+    if (touch && touch->budget_ended) return false;
+    if (of_.is_free && !of_.is_free(moved, motion.start)) return false;
+    if (!touch) return true;
+    if (touch->time == 0) {
+      touchAtOnce(piece, shift, moved, motion.start, *touch);
+      pieces_.push(std::move(piece));
+      return true;
+    }
+    piece.least = std::min(timeWithin(last, 1 - last, touch->time), 1.0);
+    if (piece.least > last) {
+      piece.at_once = 0;
+      piece.touches.clear();
+    }
+    ++piece.at_once;
+    addTouches(piece, shift, *touch, piece.least);
+    pieces_.push(std::move(piece));
     return true;
   }
 
-  /// With a convex b smaller about its S: no point is moved by more than is allowed.
-  bool advanceShrunk() {
-    if (cornersOf(pair_.b_.data()) == nullptr) return true;
-    const double factor = 1 - (1 - 0x1p-20) * (allowed_ / pair_.b_.radius());
-    if (!(factor >= 0.5 && factor < 1)) return true;
-    const Vec2 origin = pair_.b_.origin();
-    return advance(pair_.b_.translated(-origin).scaled(factor).translated(origin), Vec2::Zero());
-  }
-
-  /// The search ended in a proof that there is no impact, or at a budget.
-  std::optional<Impact> ended() const {
-    if (!touch_) return std::nullopt;
-    Impact impact = *touch_;
-    impact.time = time_;
-    return impact;
-  }
-
-  Impact impactHere(const std::vector<Contact>& overlap) const {
-    Impact impact = touch_.value_or(Impact{0, Vec2::Zero(), Vec2::UnitX(), -1, -1});
-    if (!overlap.empty()) {
-      const Contact& deepest = overlap.front();
-      impact = {0, deepest.point, deepest.normal, deepest.edge_a, deepest.edge_b};
+  /// A translated piece, which is at `pose`, touches the other region already, or overlaps it.
+  void touchAtOnce(Piece& piece, const Vec2& shift, const Polygon& moved, const Pose& pose, const Impact& touch) const {
+    ++piece.at_once;
+    if (piece.chain.empty()) {
+      const Touch deepest = piece.touches.empty() ? measure(piece).touch : Touch{};
+      if (isKnown(deepest.depth)) return addTouch(piece, deepest);
+      for (const Contact& c :
+           contacts(of_.a, of_.motion_a.at(piece.least), moved, pose, {0, kMostTouches, ContactDetail::LocalDepth}))
+        addTouch(piece, {c.normal, c.normal.dot(shift) + c.depth});
+      return;
     }
-    impact.time = time_;
-    return impact;
+    const Vec2 in_frame = pose.linear().inverse() * shift;
+    const DeepestPoint deepest = of_.deepest(moved.translated(in_frame), piece.of_a, piece.least);
+    if (isKnown(deepest.distance))
+      return addTouch(piece, {deepest.way, deepest.way.dot(shift) + deepest.distance});
+    addTouches(piece, shift, touch, piece.least);
   }
 
-  const MovingContact& pair_;
-  const double allowed_;
-  double time_ = 0;  ///< until then they are not as deep as is allowed
-  std::vector<Touch> touches_;
-  int at_once_ = 0;
-  std::optional<Impact> touch_;  ///< of the last interval's end
+  /// A translated piece touches the other region for the first time.
+  void addTouches(Piece& piece, const Vec2& shift, const Impact& touch, double time) const {
+    if (piece.chain.empty()) return addTouch(piece, {touch.normal, touch.normal.dot(shift)});
+    for (const Vec2& normal : of_.away(touch, piece.of_a, time)) addTouch(piece, {normal, normal.dot(shift)});
+  }
+
+  /// Whether the direction of so short a way is.
+  bool isKnown(double distance) const { return distance > near_; }
+
+  static void addTouch(Piece& piece, const Touch& touch) {
+    if (piece.touches.size() == kMostTouches) piece.touches.erase(piece.touches.begin());
+    piece.touches.push_back(touch);
+  }
+
+  /// False where shorter pieces would tell little more: they are no longer than what their depth is below the allowed.
+  bool cut(const Piece& piece, double left) {
+    if (piece.chain.empty()) {
+      addOutlines(piece.least);
+      return true;
+    }
+    const std::size_t count = piece.chain.size(), middle = count / 2;
+    Piece first{piece.least, piece.of_a, {}}, second = first;
+    if (count > 2) {
+      first.chain.assign(piece.chain.begin(), piece.chain.begin() + static_cast<std::ptrdiff_t>(middle) + 1);
+      second.chain.assign(piece.chain.begin() + static_cast<std::ptrdiff_t>(middle), piece.chain.end());
+    } else {
+      const Vec2 &v = piece.chain[0], &w = piece.chain[1], at = 0.5 * v + 0.5 * w;
+      if (!((w - v).norm() > std::max(0.25 * left, 4 * of_.precision))) return false;
+      first.chain = {v, at};
+      second.chain = {at, w};
+    }
+    pieces_.push(std::move(first));
+    pieces_.push(std::move(second));
+    return true;
+  }
+
+  void addOutlines(double time) {
+    if (of_.asks_a) addOutline(of_.a, true, time);
+    if (of_.asks_b) addOutline(of_.b, false, time);
+  }
+
+  void addOutline(const Polygon& polygon, bool of_a, double time) {
+    for (const Ring& ring : polygon.rings()) {
+      Piece piece{time, of_a, ring};
+      piece.chain.push_back(ring.front());
+      pieces_.push(std::move(piece));
+    }
+  }
+
+  Impact impactAt(double time) const {
+    const Depth depth = of_.depth(time);
+    return {time, depth.is_point_of_a ? depth.point_a : depth.point_b, depth.normal, depth.edge_a, depth.edge_b};
+  }
+
+  const DeepQuestion& of_;
+  const double near_;  ///< what times of impact may take for a touch
+  BestFirst<Piece> pieces_{kInfinity};
+  int steps_ = 0;
 };
 
-std::optional<Impact> MovingContact::deepImpact() const { return DeepImpact(*this, -margin_).find(); }
+}  // namespace
+
+std::optional<Impact> findDeepImpact(const DeepQuestion& question) { return DeepImpact(question).find(); }
 
 }  // namespace tricover::detail

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/collide.h"
+#include "pair/collide.h"
 
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
-#include "pair/allowed_overlap.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
 #include "pair/interiors.h"
 #include "pair/kernel_order.h"
-#include "polygon/cache_access.h"
 
 namespace tricover {
 namespace detail {
@@ -68,13 +65,8 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
   return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
-[[gnu::cold, gnu::noinline]] bool collideDeeper(const Polygon& a, const Pose& pose_a, const Polygon& b,
-                                                const Pose& pose_b, Certificate* cache, const CollideOptions& options);
-
 bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
              Certificate* cache, const CollideOptions& options) {
-  if (!(options.margin >= 0 && options.margin <= std::numeric_limits<double>::max()))
-    return collideDeeper(polygon_a, pose_a, polygon_b, pose_b, cache, options);
   requireFiniteNotNegative(options.tolerance, "tolerance");
   const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
   const auto inOrder = [&](auto query) { return inKernelOrder(a, pose_a, b, pose_b, query, [](bool) {}); };
@@ -90,16 +82,6 @@ bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygo
   });
 }
 
-/// Where the margin is negative, or not finite.
-bool collideDeeper(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, Certificate* cache,
-                   const CollideOptions& options) {
-  requireFiniteMargin(options.margin, "margin");
-  requireFiniteNotNegative(options.tolerance, "tolerance");
-  if (!collide(a, pose_a, b, pose_b, cache, {})) return false;
-  const double depth = allowedOverlap(a, pose_a, b, pose_b, -options.margin).front().depth;
-  return options.touching == Touching::Allowed ? depth > -options.margin : depth >= -options.margin;
-}
-
 /// Where touching is allowed.
 [[gnu::cold, gnu::noinline]] bool collideInside(const Polygon& a, const Pose& pose_a, const Polygon& b,
                                                 const Pose& pose_b, Certificate* cache, const CollideOptions& options) {
@@ -109,6 +91,12 @@ bool collideDeeper(const Polygon& a, const Pose& pose_a, const Polygon& b, const
 }
 
 }  // namespace
+
+bool collideWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, Certificate* cache,
+                   const CollideOptions& options) {
+  if (options.touching != Touching::Collides) return collideInside(a, pose_a, b, pose_b, cache, options);
+  return collide(a, pose_a, b, pose_b, cache, options);
+}
 
 Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                         const CollideOptions& options, const CertificateWish& wish) {
@@ -151,18 +139,4 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
 }
 
 }  // namespace detail
-
-bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
-             const CollideOptions& options) {
-  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, nullptr, options);
-  return detail::collide(a, pose_a, b, pose_b, nullptr, options);
-}
-
-bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, PairCache& cache,
-             const CollideOptions& options) {
-  detail::Certificate* certificate = &detail::contentsOf(cache).collision;
-  if (options.touching != Touching::Collides) return detail::collideInside(a, pose_a, b, pose_b, certificate, options);
-  return detail::collide(a, pose_a, b, pose_b, certificate, options);
-}
-
 }  // namespace tricover

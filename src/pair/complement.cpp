@@ -2,13 +2,16 @@
 // The complement of a polygon: rings without the edges that are inside or outside of the region as a whole.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "numbers/errors.h"
 #include "numbers/predicates.h"
+#include "pair/complement.h"
 #include "pair/edge_pairs.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
@@ -50,36 +53,71 @@ std::vector<Piece> cutEdges(const PolygonData& polygon) {
   return pieces;
 }
 
-/// Tells of each piece whether the region is on one side of it alone, under the non-zero rule.
-std::vector<bool> bordersOf(const PolygonData& given, const std::vector<Piece>& pieces) {
+/// Rounded points, each the same as one before that is within rounding of it.
+class SnappedPoints {
+ public:
+  explicit SnappedPoints(double reach) : reach_(reach) {}
+
+  OrderedPoint snap(const Vec2& p) {
+    for (auto it = known_.lower_bound({p.x() - reach_, p.y()}); it != known_.end() && (*it)[0] <= p.x() + reach_; ++it)
+      if (std::abs((*it)[1] - p.y()) <= reach_) return *it;
+    return *known_.insert(ordered(p)).first;
+  }
+
+ private:
+  const double reach_;
+  std::set<OrderedPoint> known_;
+};
+
+/// Tells of each piece whether the region is on one side of it alone, under the non-zero rule. Where that changes at a
+/// crossing, the piece is cut there if crossings are to be `rounded`, and otherwise refused.
+std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces, bool rounded) {
   std::vector<Ring> rings(given.ringCount());
-  for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(Vec2(piece.v.data()));
+  // Where they cross is known where areas don't leave the range of doubles.
+  const bool is_in_range = given.unit < 0x1p300 && given.unit > 0x1p-300;
+  const double scale = rounded && !is_in_range ? given.inverse_unit : 1;
+  for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
   const Pose still = Pose::Identity();
   KnownSides sides(PosedRegions({PosedPair(cut.data(), still, cut.data(), still)}));
+  SnappedPoints snapped(0x1p-48 * given.extent);
+  std::vector<Piece> all;
   std::vector<bool> borders;
   for (const Piece& piece : pieces) {
-    const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(borders.size()));
-    borders.push_back(beside.isBorder());
-    if (!beside.isBorder() || !beside.isSeam()) continue;
+    const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
+    if (!beside.isBorder() || !beside.isSeam()) {
+      all.push_back(piece);
+      borders.push_back(beside.isBorder());
+      continue;
+    }
     const std::size_t ring = given.ringOf(piece.edge);
-    refuse("rings: ring " + std::to_string(ring) + ", vertex " +
-               std::to_string(given.edgeNumber(piece.edge) - given.firstNumber(ring)),
-           "the edge from there is partly inside of the region, from a crossing on that is no vertex",
-           "make a union of the rings before complement(), with vertices at their crossings");
+    if (!rounded)
+      refuse("rings: ring " + std::to_string(ring) + ", vertex " + 
+                 std::to_string(given.edgeNumber(piece.edge) - given.firstNumber(ring)),
+             "the edge from there is partly inside of the region, from a crossing on that is no vertex",
+             "make a union of the rings before complement(), with vertices at their crossings");
+    const Vec2 v(piece.v.data()), w(piece.w.data());
+    OrderedPoint from = piece.v;
+    for (const EdgeSides::Piece& part : beside.pieces()) {
+      const OrderedPoint to = part.to < 1 ? snapped.snap((1 - part.to) * v + part.to * w) : piece.w;
+      all.push_back({from, to, piece.edge});
+      borders.push_back(part.is_border);
+      from = to;
+    }
   }
+  pieces = std::move(all);
   return borders;
 }
 
 /// The pieces that have the region on one side, each once. All edges of a polygon that stay as they are count as left
 /// alone.
 struct BorderPieces {
-  explicit BorderPieces(const PolygonData& polygon) {
-    const std::vector<Piece> pieces = cutEdges(polygon);
+  BorderPieces(const PolygonData& polygon, bool rounded) {
+    std::vector<Piece> pieces = cutEdges(polygon);
+    std::vector<bool> borders;
+    if (polygon.fill.rule == FillRule::NonZero) borders = bordersOf(polygon, pieces, rounded);
     std::map<std::array<OrderedPoint, 2>, int> counts;
     for (const Piece& piece : pieces) ++counts[piece.key()];
-    std::vector<bool> borders;
-    if (polygon.fill.rule == FillRule::NonZero) borders = bordersOf(polygon, pieces);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       if (pieces[k].v == pieces[k].w) {
         are_given = are_given && !beginsPoint(polygon, pieces[k].edge);
@@ -93,26 +131,33 @@ struct BorderPieces {
     }
   }
 
-  /// Rings of all pieces. An even number of them ends at each point, so that a walk ends where it began.
-  std::vector<Ring> rings() const {
+  /// Rings of all pieces, and the given edges that theirs are pieces of. An even number of pieces ends at each point, so
+  /// that a walk ends where it began.
+  BorderRings rings() const {
     std::map<OrderedPoint, std::set<std::size_t>> left;  // pieces by their ends
     for (std::size_t k = 0; k < all.size(); ++k)
       for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].insert(k);
-    std::vector<Ring> rings;
+    BorderRings found;
     for (std::size_t first = 0; first < all.size(); ++first) {
       if (left[all[first].v].count(first) == 0) continue;
-      rings.emplace_back();
+      found.rings.emplace_back();
       OrderedPoint point = all[first].v;
       for (std::size_t k = first;;) {
-        rings.back().push_back(Vec2(point.data()));
+        found.rings.back().push_back(Vec2(point.data()));
+        found.edges.push_back(all[k].edge);
         for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].erase(k);
         point = all[k].v == point ? all[k].w : all[k].v;
-        if (point == all[first].v) break;
+        if (point == all[first].v || left[point].empty()) break;  // empty where points were rounded
         // The next piece of the same ring leads on, or else any.
         k = left[point].count(k + 1) != 0 ? k + 1 : *left[point].begin();
       }
+      // Where points were rounded, as in a sliver.
+      for (Ring& ring = found.rings.back(); ring.size() < 3;) {
+        ring.push_back(ring.back());
+        found.edges.push_back(found.edges.back());
+      }
     }
-    return rings;
+    return found;
   }
 
   std::vector<Piece> all;
@@ -120,18 +165,25 @@ struct BorderPieces {
 };
 
 }  // namespace
+
+std::optional<BorderRings> borderRings(const PolygonData& polygon) {
+  const BorderPieces border(polygon, true);
+  if (border.are_given && !border.all.empty()) return std::nullopt;
+  return border.rings();
+}
+
 }  // namespace tricover::detail
 
 namespace tricover {
 
 Polygon Polygon::complement() const {
-  const detail::BorderPieces border(*data_);
+  const detail::BorderPieces border(*data_, false);
   if (border.all.empty())
     detail::refuse("complement()", isComplement() ? "nothing but edges is outside" : "the polygon has no area",
                    "the result would be the whole plane, or nothing");
   // Where all edges are borders, and each is there once, the even-odd rule means the same as the other.
   const detail::Fill fill{FillRule::EvenOdd, !isComplement()};
-  const std::vector<Ring> rings = border.are_given ? this->rings() : border.rings();
+  const std::vector<Ring> rings = border.are_given ? this->rings() : border.rings().rings;
   return {Adopt::Data, detail::PolygonData::make(detail::RingsView(rings), fill)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/covers.h"
+#include "pair/coverage.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "hierarchy/simd.h"
-#include "numbers/errors.h"
 #include "numbers/rigidity.h"
-#include "pair/coverage.h"
 #include "pair/edge_pairs.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
 
-namespace tricover {
-namespace detail {
+namespace tricover::detail {
 namespace {
 
 /// The interior of the part that no area holds is open: beside some piece of an edge of the part or of an area, on one
@@ -100,14 +97,4 @@ bool unionCovers(const std::vector<PosedPair>& part_and_areas, double margin) {
   return search.isCovered() && (margin == 0 || search.isClear());
 }
 
-}  // namespace detail
-
-bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, const Pose& pose_part,
-            const CoverOptions& options) {
-  detail::requireFiniteNotNegative(options.margin, "margin");
-  detail::requireRigid(pose_area, "pose_area");
-  detail::requireRigid(pose_part, "pose_part");
-  return detail::unionCovers({detail::PosedPair(part.data(), pose_part, area.data(), pose_area)}, options.margin);
-}
-
-}  // namespace tricover
+}  // namespace tricover::detail

@@ -252,9 +252,25 @@ void EdgeSides::look(std::size_t piece) {
   const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
   if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)
     sought_.push_back(piece);
+  is_in_other_ |= inside && (operand_ == A ? others.left && others.right : first.left && first.right);
   if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
   is_bare_ |= is_bare;
   (own.left != own.right ? is_border_ : is_seam_) = true;
+  if (own.left != own.right) borders_.push_back(piece);
+}
+
+std::vector<EdgeSides::Piece> EdgeSides::pieces() const {
+  std::vector<Piece> all;
+  const auto has = [](const std::vector<std::size_t>& some, std::size_t piece) {
+    return std::binary_search(some.begin(), some.end(), piece);
+  };
+  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
+    if (!isBefore(cuts_[i], cuts_[i + 1])) continue;
+    const Cut& end = cuts_[i + 1];
+    const double to = i + 2 < cuts_.size() ? 0.5 * std::max(end.low, 0.0) + 0.5 * std::min(end.high, 1.0) : 1;
+    all.push_back({all.empty() ? 0 : all.back().to, to, has(borders_, i), has(boundary_, i)});
+  }
+  return all;
 }
 
 bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {

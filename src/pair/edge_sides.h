@@ -80,9 +80,17 @@ class EdgeSides {
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }
+  /// Whether some piece of it is in the interior of the other region of a pair.
+  bool isInOther() const { return is_in_other_; }
   /// Whether along some piece of it that polygon has its inside on one side alone; or on both, or on none.
   bool isBorder() const { return is_border_; }
   bool isSeam() const { return is_seam_; }
+  struct Piece {
+    double from, to;   ///< places, rounded: 0 at its start, 1 at its end
+    bool is_border;    ///< whether its own polygon has its inside on one side alone
+    bool is_boundary;  ///< whether no region but the first has its inside on both sides, if it isn't the first one's
+  };
+  std::vector<Piece> pieces() const;
 
  private:
   /// Where another edge leaves the line or comes to it; v and w are the first and the last one.
@@ -141,7 +149,8 @@ class EdgeSides {
   std::vector<Cut> cuts_;                     ///< from v to w, in order; a piece has the number of the cut before it
   std::vector<std::size_t> sought_;           ///< pieces that are what is sought, or beside it on one side
   std::vector<std::size_t> boundary_;  ///< those beside which no other region but the first has its inside on both
-  bool is_bare_ = false, is_border_ = false, is_seam_ = false;
+  std::vector<std::size_t> borders_;  ///< those beside which its own polygon has its inside on one side alone
+  bool is_in_other_ = false, is_bare_ = false, is_border_ = false, is_seam_ = false;
 };
 
 /// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.

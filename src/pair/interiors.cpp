@@ -14,7 +14,8 @@
 namespace tricover::detail {
 namespace {
 
-/// The overlap of the interiors, if there is one, is open and bounded: beside some piece of an edge, on one side, both
+/// A point of either region in the interior of the other one: the overlap of the interiors, or a piece of an edge, or a
+/// ring that is a point. The overlap of the interiors, if there is one, is open and bounded: beside some piece of an edge, on one side, both
 /// regions have their inside. Which edges have to be looked at? Say that the piece is a's, and K what is connected with
 /// it of a's edges.
 ///   K meets an edge of b. Between the piece and the first place on b's edges all of K is inside of b: the last edge on
@@ -45,9 +46,11 @@ class InteriorSearch {
 
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
+    const PosedPair other = operand == EdgeSides::A ? pair_.back() : pair_;
+    if (beginsPoint(other.b, edge)) return locateInA(other, other.b.path[edge]) == Location::Inside;
     const EdgeSides& sides = sides_.of(operand, edge);
     has_bare_[operand] |= sides.isBare();
-    return sides.hasSought();
+    return sides.hasSought() || sides.isInOther();
   }
 
   /// `start` is the position of the first edge of a ring that starts inside of the other region, or -1.
@@ -68,7 +71,6 @@ class InteriorSearch {
 }  // namespace
 
 bool interiorsMeet(const PolygonData& polygon_a, const Pose& pose_a, const PolygonData& polygon_b, const Pose& pose_b) {
-  if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;
   return inKernelOrder(
       polygon_a, pose_a, polygon_b, pose_b,
       [](const auto&... operands) {

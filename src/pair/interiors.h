@@ -7,7 +7,7 @@
 
 namespace tricover::detail {
 
-/// Whether the posed regions' interiors share a point. Exact, in whatever order the operands are.
+/// Whether a point of one of the posed regions is in the interior of the other one. Exact, in whatever order the operands are.
 bool interiorsMeet(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
 
 /// Whether that is what a query asks. With a margin it asks for a distance below it, edge by edge. With a tolerance

@@ -2,12 +2,13 @@
 // Whether bodies together cover a polygon.
 #include "tricover/covers.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "depth/excess.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
-#include "pair/coverage.h"
 #include "scene/scene_state.h"
 
 namespace tricover {
@@ -16,10 +17,10 @@ bool Scene::covers(const Polygon& polygon, const Pose& pose, const CoverOptions&
                    const BodyFilter& filter) const {
   const detail::SceneState& state = impl_->settled();
   const detail::SlotFilter selected = state.slots(filter);
-  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::requireFiniteMargin(options.margin, "margin");
   detail::requireRigid(pose, "pose");
   std::vector<detail::PosedPair> near;
-  const detail::Bounds bounds = boundsOf(polygon.data(), pose, options.margin);
+  const detail::Bounds bounds = boundsOf(polygon.data(), pose, std::abs(options.margin));
   state.tree.visit(bounds, [&](detail::Slot slot) {
     const auto& body = state.bodies[slot];
     if (!state.passes(selected, slot)) return true;
@@ -29,7 +30,7 @@ bool Scene::covers(const Polygon& polygon, const Pose& pose, const CoverOptions&
     near.emplace_back(polygon.data(), pose, body.polygon.data(), body.pose);
     return true;
   });
-  return detail::unionCovers(near, options.margin);
+  return detail::unionCoversBut(near, options.margin);
 }
 
 }  // namespace tricover

@@ -29,4 +29,17 @@ TEST(Documentation, SceneCovers) {
   //! [scene covers]
 }
 
+TEST(Documentation, FirstExit) {
+  //! [first exit]
+  tricover::Scene lanes;
+  lanes.add(tricover::box(100, 3), tricover::pose(0, 0));
+  const tricover::Polygon car = tricover::box(4, 2);
+  // From (40, 0) ten metres ahead: its front leaves the lane after eight.
+  const auto exit = lanes.firstExit(car, tricover::Motion::translation(tricover::pose(40, 0), {10, 0}));
+  ASSERT_TRUE(exit);
+  EXPECT_NEAR(exit->time, 0.8, 1e-9);
+  EXPECT_NEAR(exit->point.x(), 50, 1e-6);
+  //! [first exit]
+}
+
 }  // namespace

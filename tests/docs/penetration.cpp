@@ -42,7 +42,7 @@ TEST(Documentation, SignedDistance) {
   EXPECT_EQ(apart.distance, 1);
   EXPECT_EQ(apart.normal, tricover::Vec2(1, 0));
   const tricover::SignedDistance deep =
-      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(3, 1));
+      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(3, 0));
   EXPECT_NEAR(deep.distance, -1, 1e-12);
   EXPECT_NEAR(deep.normal.x(), 1, 1e-12);
   //! [signed distance]

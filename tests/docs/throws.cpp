@@ -28,6 +28,9 @@ TEST(Throws, Pairs) {
     THROWS(contacts.h, crossings, std::invalid_argument, crossings(square, here, square, bad));
     THROWS(contacts.h, contacts, std::invalid_argument, contacts(square, here, square, bad));
     THROWS(covers.h, covers, std::invalid_argument, covers(square, here, square, bad));
+    THROWS(depth.h, depth, std::invalid_argument, depth(square, bad, square, here));
+    THROWS(depth.h, excess, std::invalid_argument, excess(square, here, square, bad));
+    THROWS(depth.h, hausdorffDistance, std::invalid_argument, hausdorffDistance(square, here, square, bad));
     THROWS(distance.h, distance, std::invalid_argument, distance(square, here, square, bad));
     THROWS(distance.h, distanceWithin, std::invalid_argument, distanceWithin(square, here, square, bad, 1));
     THROWS(paper.h, collide, std::invalid_argument, paper::collide(square, here, square, bad));
@@ -293,6 +296,7 @@ TEST(Throws, SceneQueries) {
     THROWS(scene.h, Scene::anyColliding, std::invalid_argument, scene.anyColliding(square, here, {0, bad}));
     THROWS(scene.h, Scene::colliding, std::invalid_argument, scene.colliding(square, here, {bad}));
     THROWS(scene.h, Scene::covers, std::invalid_argument, scene.covers(square, here, {bad}));
+    THROWS(scene.h, Scene::firstExit, std::invalid_argument, scene.firstExit(square, Motion::still(here), {bad}));
     THROWS(scene.h, Scene::nearest, std::invalid_argument, scene.nearest(square, here, {bad}));
     THROWS(scene.h, Scene::castRay, std::invalid_argument, scene.castRay(p, q, {bad}));
     THROWS(scene.h, Scene::castRayAll, std::invalid_argument, scene.castRayAll(p, q, {bad}));
@@ -317,6 +321,7 @@ TEST(Throws, SceneMotions) {
   for (const double bad : {kNaN, kInfinity}) {
     THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, still, {bad}));
     THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, path, {0, bad}));
+    THROWS(scene.h, Scene::firstExit, std::invalid_argument, scene.firstExit(square, path, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, still}}, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, path}}, {0, bad}));
     THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, path}}, {bad}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the interiors meet, against exact rationals, beside whether the closed regions do: every way to ask
-// collide() and a Scene. Other queries keep to it by a law (laws_oracle_test.cpp).
+// Whether a point of either is in the other's interior, against exact rationals, beside whether the closed regions
+// meet: every way to ask collide() and a Scene. Other queries keep to it by a law (laws_oracle_test.cpp).
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -58,8 +58,9 @@ TEST(Touching, WhatHasNoAreaLeadsInsideOrHasNoInterior) {
   // In a corner, where no discs inside meet; it touches by its spike alone, where its ring begins.
   const Polygon aerial({{{0.5, 9}, {0.5, 8.75}, {0.25, 8.75}, {0.25, 8.25}, {0.75, 8.25}, {0.75, 8.75}, {0.5, 8.75}}});
   EXPECT_TRUE(collide(square, here, aerial, here, kOpen));
-  EXPECT_FALSE(collide(square, here, point({4, 4}), here, kOpen));
-  EXPECT_FALSE(collide(square, here, segment({-1, 4}, {4, 4}), here, kOpen));
+  EXPECT_TRUE(collide(square, here, point({4, 4}), here, kOpen));
+  EXPECT_TRUE(collide(square, here, segment({-1, 4}, {4, 4}), here, kOpen));
+  EXPECT_FALSE(collide(square, here, segment({-1, 9}, {4, 9}), here, kOpen));
   EXPECT_TRUE(collide(square, here, point({4, 4}), here, CollideOptions{0.5, 0, Touching::Allowed}));
 }
 

@@ -27,6 +27,7 @@ constexpr Query kQueries[] = {
     {"contacts", soakContacts},
     {"covers", soakCovers},
     {"crossings", soakCrossings},
+    {"depth", soakDepth},
     {"distance", soakDistance},
     {"impact", soakImpact},
     {"locate", soakLocate},

@@ -55,6 +55,7 @@ void soakConflicts(Run& run);
 void soakContacts(Run& run);
 void soakCovers(Run& run);
 void soakCrossings(Run& run);
+void soakDepth(Run& run);
 void soakDistance(Run& run);
 void soakImpact(Run& run);
 void soakLocate(Run& run);

@@ -9,7 +9,7 @@
 #include "exact_reference.h"
 #include "reproduction.h"
 #include "tricover/collide.h"
-#include "tricover/penetration.h"
+#include "tricover/depth.h"
 #include "tricover/signed_distance.h"
 
 namespace tricover::support {
@@ -132,9 +132,10 @@ std::string wrongSignedDistance(const Case& c, double margin) {
   if (!isOneTwice(c) && !(same(found, swapped(other)) && s.normal == -turned.normal)) return "signed, swapped";
   if ((s.distance > 0) == collide(c.a, c.pose_a, c.b, c.pose_b, {margin})) return "signed: sign";
   if (!(std::abs(s.normal.norm() - 1) <= 1e-12)) return "signed: no unit vector";
-  if (const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b)) {
-    const DistanceResult deep{-p->depth - margin, p->point_a, p->point_b, p->edge_a, p->edge_b};
-    return same(found, deep) && s.normal == p->normal ? "" : "signed: penetration";
+  const Depth d = depth(c.a, c.pose_a, c.b, c.pose_b);
+  if (d.depth > 0) {
+    const DistanceResult deep{-d.upper_bound - margin, d.point_a, d.point_b, d.edge_a, d.edge_b};
+    return same(found, deep) && s.normal == d.normal ? "" : "signed: depth";
   }
   const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b),
                        left = distance(c.a, c.pose_a, c.b, c.pose_b, options);

@@ -25,7 +25,7 @@ std::string wrongDistance(double found, const LimitedOptions& options, const mpq
 /// bit.
 std::string wrongDistances(const Case& c, const LimitedOptions& options, const mpq_class& squared, PairCache& cache);
 
-/// What is wrong with signedDistance() with this margin, beside distance(), penetration() and collide(); empty if nothing
+/// What is wrong with signedDistance() with this margin, beside distance(), depth() and collide(); empty if nothing
 /// is.
 std::string wrongSignedDistance(const Case& c, double margin);
 

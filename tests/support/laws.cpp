@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laws.h"
 
+#include "exact_depth.h"
 #include "exact_reference.h"
 #include "portable_lanes.h"
 #include "queries.h"
@@ -98,7 +99,7 @@ constexpr Law kLaws[] = {
 }  // namespace
 
 bool areWithin(const Case& c, double margin, Touching touching) {
-  if (touching == Touching::Allowed && margin == 0) return exact::interiorsMeet(c.a, c.pose_a, c.b, c.pose_b);
+  if (touching == Touching::Allowed && margin == 0) return exact::reachInto(c.a, c.pose_a, c.b, c.pose_b);
   if (margin == 0) return exact::collide(c.a, c.pose_a, c.b, c.pose_b);
   const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
   return touching == Touching::Allowed ? squared < mpq_class(margin) * margin : exact::within(squared, margin);

@@ -13,6 +13,7 @@
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/contacts.h"
+#include "tricover/depth.h"
 #include "tricover/least_distance.h"
 #include "tricover/paper.h"
 #include "tricover/penetration.h"
@@ -182,6 +183,25 @@ Answer askSignedDistance(const Case& c, const Question& q) {
   return telling.done();
 }
 
+Answer askDepth(const Case& c, const Question& q) {
+  const Depth d = asked(c, q, [](const auto&... pair) { return depth(pair...); });
+  Telling telling(q);
+  telling.number(d.depth).number(d.upper_bound).direction(d.normal).points(d.point_a, d.point_b);
+  if (d.depth > 0 && !std::isinf(d.depth)) telling.number(d.is_point_of_a != q.swapped);
+  return telling.edges(d.edge_a, d.edge_b).done();
+}
+
+/// Of a from b and of b from a.
+Answer askExcess(const Case& c, const Question&) {
+  Telling telling({});
+  for (const bool is_back : {false, true}) {
+    const Excess e = is_back ? excess(c.b, c.pose_b, c.a, c.pose_a) : excess(c.a, c.pose_a, c.b, c.pose_b);
+    telling.number(e.distance).number(e.upper_bound).point(e.point).point(e.nearest);
+    telling.edges(is_back ? e.nearest_edge : e.edge, is_back ? e.edge : e.nearest_edge);
+  }
+  return telling.done();
+}
+
 /// b comes towards a and goes on, and turns by so much about its S.
 Motion motionOf(const Case& c, double angle) {
   Motion motion = Motion::still(c.pose_b);
@@ -282,7 +302,9 @@ const std::vector<Query>& queries() {
       {"contacts", askContacts<ContactDetail::GlobalDepth>, exactlyAlike, false, false},
       {"crossings", askCrossings},
       {"penetration", askPenetration, penetrationsAreAlike, false, false},
-      {"signedDistance", askSignedDistance, nullptr, false, false},
+      {"signedDistance", askSignedDistance},
+      {"depth", askDepth},
+      {"excess", askExcess},
       {"leastDistance", askLeastDistance},
       {"timeOfImpact of a slide", askImpact<0>},
       {"timeOfImpact", askImpact<1>},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collide_laws.h"
+#include "exact_depth.h"
 #include "exact_reference.h"
 #include "tricover/collide.h"
 #include "tricover/scene.h"
@@ -17,7 +18,7 @@ CollideOptions open() { return {0, 0, Touching::Allowed}; }
 }  // namespace
 
 Overlap overlapOf(const Case& c) {
-  return {exact::collide(c.a, c.pose_a, c.b, c.pose_b), exact::interiorsMeet(c.a, c.pose_a, c.b, c.pose_b)};
+  return {exact::collide(c.a, c.pose_a, c.b, c.pose_b), exact::reachInto(c.a, c.pose_a, c.b, c.pose_b)};
 }
 
 std::string wrongTouching(const Case& c, const Overlap& truth, StrategyCaches& old, Random& random) {

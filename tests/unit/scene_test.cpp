@@ -126,8 +126,8 @@ TEST(Scene, AsksBodiesWhoseDiscsDecideNothing) {
   EXPECT_FALSE(scene.collides(dot, pose(0, 1.25, 0)));
 }
 
-/// Discs inside both regions overlap, but the interior of a point is empty.
-TEST(Scene, InnerDiscsOfPointsHaveNoInterior) {
+/// A point collides where it is in the interior, also where touching is allowed; on the border it doesn't.
+TEST(Scene, PointsCollideInsideWhereTouchingIsAllowed) {
   const Polygon square({rectangle(-1, -1, 1, 1)}), dot = point({0.125, 0.25});
   prepare(square);
   CollideOptions open;
@@ -135,9 +135,13 @@ TEST(Scene, InnerDiscsOfPointsHaveNoInterior) {
   Scene scene;
   const Scene::Body body = scene.add(square, pose(0, 0, 0));
   EXPECT_EQ(scene.anyColliding(dot, pose(0, 0, 0)), body);
-  EXPECT_FALSE(collide(dot, pose(0, 0, 0), square, pose(0, 0, 0), open));
-  EXPECT_FALSE(scene.collides(dot, pose(0, 0, 0), open));
-  EXPECT_TRUE(scene.colliding(dot, pose(0, 0, 0), open).empty());
+  for (const double x : {0.0, 0.875}) {
+    const Pose at = pose(0, x, 0);
+    EXPECT_EQ(collide(dot, at, square, pose(0, 0, 0), open), x == 0);
+    EXPECT_EQ(scene.collides(dot, at, open), x == 0);
+    EXPECT_EQ(scene.colliding(dot, at, open).empty(), x > 0);
+    EXPECT_EQ(scene.anyColliding(dot, at), body);
+  }
 }
 
 TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {

@@ -32,7 +32,7 @@ TEST(SignedDistance, OfBoxesThatAreApartTouchAndOverlap) {
   EXPECT_EQ(signedAt(square, square, {4, 1}), 0);
   EXPECT_EQ(signedAt(square, square, {4, 4}), 0);
   EXPECT_NEAR(signedAt(square, square, {3.5, 1}), -0.5, 1e-14);
-  EXPECT_NEAR(signedAt(square, square, {0, 0}), -4, 1e-14);
+  EXPECT_NEAR(signedAt(square, square, {0, 0}), -2, 1e-14);
   const SignedDistance touch = signedDistance(square, tricover::pose(0, 0), square, tricover::pose(4, 1));
   EXPECT_NEAR(touch.normal.x(), 1, 1e-12);
   EXPECT_EQ(touch.edge_a, 1);
@@ -69,9 +69,11 @@ TEST(SignedDistance, OfRegionsThatAreNotConvex) {
   EXPECT_EQ(signedAt(frame, box(2, 2), {0, 0}), 2);
   EXPECT_EQ(signedAt(frame, box(2, 2), {2, 0}), 0);
   EXPECT_NEAR(signedAt(frame, box(2, 2), {2.5, 0}), -0.5, 1e-11);
-  // A peg that is wedged in its slot leaves through the mouth.
+  // A peg that fits its slot exactly is nowhere deep, and into both walls of its corner it is by the diagonal.
   const Polygon slot({{{-3, -3}, {3, -3}, {3, 3}, {1, 3}, {1, 0}, {-1, 0}, {-1, 3}, {-3, 3}}});
-  EXPECT_NEAR(signedAt(slot, box(2, 2), {0, 1.5}), -2.5, 1e-11);
+  EXPECT_EQ(signedAt(slot, box(2, 2), {0, 1.5}), 0);
+  EXPECT_EQ(signedAt(slot, box(2, 2), {0, 1}), 0);
+  EXPECT_NEAR(signedAt(slot, box(2, 2), {0.25, 0.75}), -0.25 * std::sqrt(2), 1e-14);
   EXPECT_GT(signedAt(slot, box(1.75, 1.75), {0, 1.5}), 0.1);
 }
 
@@ -113,24 +115,42 @@ TEST(SignedDistance, OfPointsFarFromEachOther) {
   }
 }
 
-/// Of convex polygons, by no less than they are moved by.
+/// Of convex polygons that are apart, by no less than they are moved by; of others by no more than that, either way.
 TEST(SignedDistance, MovingAlongTheNormalIncreasesIt) {
   const int cases = scaledCount(3000);
-  int apart = 0;
+  int apart = 0, shallower = 0;
   for (int i = 0; i < cases; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a({anyConvex(random, 1)}), b({anyConvex(random, random.real(0.1, 2))});
     const Pose pose_a = randomPose(random, 1);
     Pose pose_b = randomPose(random, 2);
     const SignedDistance before = signedDistance(a, pose_a, b, pose_b);
-    const double by = random.real(0, 2);
+    const double by = random.real(0, 2) * (before.distance < 0 ? 1e-3 : 1);
     pose_b.translation() += by * before.normal;
     const double after = signedDistance(a, pose_a, b, pose_b).distance;
     apart += before.distance > 0;
-    ASSERT_GE(after, before.distance + by - 1e-13) << i << ", " << before.distance;
+    shallower += before.distance < 0 && after > before.distance;
+    ASSERT_GE(after, before.distance + (before.distance < 0 ? -by : by) - 1e-13) << i << ", " << before.distance;
+    if (before.distance < 0) {
+      ASSERT_LE(after, before.distance + by + 1e-13) << i;
+    }
   }
   EXPECT_GT(apart, cases / 5);
   EXPECT_LT(apart, 4 * cases / 5 + 1);
+  EXPECT_GT(2 * shallower, cases - apart);
+}
+
+TEST(SignedDistance, OfComplements) {
+  const Polygon lot = box(20, 10).complement(), car = box(2, 1);
+  const auto at = [&](double x, double y) {
+    return signedDistance(lot, Pose::Identity(), car, tricover::pose(x, y)).distance;
+  };
+  EXPECT_EQ(at(0, 0), 4.5);
+  EXPECT_EQ(at(0, 4.5), 0);
+  EXPECT_EQ(at(3, 4.75), -0.25);
+  EXPECT_NEAR(at(9.25, 4.75), -0.25 * std::sqrt(2), 1e-14);
+  EXPECT_EQ(signedDistance(lot, Pose::Identity(), lot, Pose::Identity()).distance,
+            -std::numeric_limits<double>::infinity());
 }
 
 /// Also where the distance, rounded, is more.

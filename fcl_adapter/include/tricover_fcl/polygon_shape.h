@@ -16,8 +16,8 @@ namespace tricover_fcl {
 struct PolygonOptions {
   /// Safety distance in the plane: two shapes collide if and only if their heights overlap and their polygons come as
   /// close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the polygons
-  /// grown by their margins. A negative sum -e is an overlap that is allowed: shapes collide if some component of the
-  /// overlap is as deep as e, as CollideOptions::margin says, in collisions and continuous collisions. A distance with
+  /// grown by their margins. A negative sum -e is an overlap that is allowed: shapes collide if some point of either is
+  /// e deep in the other, as CollideOptions::margin says, in collisions and continuous collisions. A distance with
   /// a negative sum is refused.
   double margin = 0;
   /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose

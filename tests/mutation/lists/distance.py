@@ -26,7 +26,4 @@ MUTATIONS = [
     ("src/convex/posed_vertices.h", "return distance > kLeastPlain && ", "return ", "plain distances: squares that underflow"),
     ("src/distance/point_distance.cpp", "if (foot.is_plain) return {foot.distance, foot.part(), 0};", "return {foot.distance, foot.part(), 0};", "points: distances of cancelled coordinates in plain doubles"),
     ("src/hierarchy/simd_twofold.h", "(sums + shift.low)", "sums", "two-fold ways: what the shift was rounded by"),
-    ("src/penetration/signed_distance.cpp", "return {0 - p.depth - options.margin,", "return {0 - p.depth,", "signed distance: depths without the margin"),
-    ("src/penetration/signed_distance.cpp", "result.normal = -result.normal;", "", "signed distance: the normal of swapped operands"),
-    ("src/penetration/signed_distance.cpp", ".distance - options.margin, 0.0);", ".distance - options.margin, 1.0);", "signed distance: rounding tells on which side of the margin"),
 ]

@@ -3,7 +3,7 @@
 MUTATIONS = [
     ("src/pair/collide_by_edges.cpp", "constexpr std::size_t kMostAnEdge = 32;", "constexpr std::size_t kMostAnEdge = 32000000;", "edges alone: chains of large polygons, each with each"),
     ("src/pair/edge_sides.cpp", "if (of_q * of_r > 0) return;", "if (of_q * of_r >= 0) return;", "interiors: edges that end on the line"),
-    ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])", "true", "interiors: between cuts at one place"),
+    ("src/pair/edge_sides.cpp", "isBefore(cuts_[i], cuts_[i + 1])) look", "true) look", "interiors: between cuts at one place"),
     ("src/pair/edge_sides.cpp", "(first.right && others.right == inside)", "(first.left && others.right == inside)", "interiors: one on either side"),
     ("src/pair/edge_sides.cpp", "if (is_passed) beside.right += turn;", "", "interiors: edges around a vertex aren't passed"),
     ("src/pair/edge_sides.cpp", "if (!is_along) beside.right += turn;", "", "interiors: an edge that leads back"),
@@ -11,7 +11,7 @@ MUTATIONS = [
     ("src/pair/edge_sides.cpp", "sign(q, r, v_) * slant < 0 && ", "sign(q, r, v_) * slant <= 0 && ", "interiors: edges at the end of the way are passed twice"),
     ("src/pair/edge_sides.cpp", "return is_alone = found == edge ||", "return is_alone = true ||", "interiors: edges that cross aren't alone"),
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBare();", "", "interiors: edges without area lead there"),
-    ("src/pair/interiors.cpp", "if (polygon_a.isDegenerate() || polygon_b.isDegenerate()) return false;", "", "interiors: of points"),
+    ("src/pair/interiors.cpp", "if (beginsPoint(other.b, edge)) return locateInA(other, other.b.path[edge]) == Location::Inside;", "", "interiors: of points"),
     ("src/pair/edge_sides.cpp", "!others.left && !others.right && !has_along;", "!others.left && !others.right;", "covers: areas without an interior cover nothing"),
     ("src/pair/edge_sides.cpp", "if (!inside && operand_ != A && !(others.left && others.right))", "if (!inside && operand_ != A)", "covers: seams are boundaries"),
     ("src/pair/covers.cpp", "if (part_.isDegenerate()) return true;", "return true;", "covers: holes inside of the part"),

@@ -19,9 +19,9 @@ MUTATIONS = [
     ("src/scene/scene_state.cpp", "found.collides ? found.clearance : roundedDown<1>(found.clearance - certified.margin)", "found.clearance", "scene: certificates forget margins"),
     ("src/scene/scene_state.cpp", "bodies[other].fresh && other <= body", "bodies[other].fresh", "scene: pairs of two bodies that are new found by neither"),
     ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
-    ("src/scene/impacts.cpp", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
+    ("src/scene/sweep.h", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
     ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0", "options.touching == Touching::Collides", "clear box: learnt where an overlap is allowed"),
     ("src/scene/scene_state.cpp", "    room = 0;\n", "", "negative margins: a certificate outlasts an overlap that is allowed"),
-    ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
+    ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, std::abs(options.margin))", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
     ("src/scene/impacts.cpp", "{moving.trajectory, moving.absent_outside || options.absent_outside}", "{moving.trajectory, options.absent_outside}", "trajectories: a body of a scene that is absent stays"),
 ]

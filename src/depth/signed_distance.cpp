@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "convex/posed_vertices.h"
 #include "distance/distance_result.h"
@@ -10,21 +11,27 @@
 #include "pair/kernel_order.h"
 #include "penetration/penetration.h"
 #include "tricover/collide.h"
+#include "tricover/contacts.h"
+#include "tricover/depth.h"
 
 namespace tricover {
 
 SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               const DistanceOptions& options) {
   detail::checkOptions(options);
-  const bool meet = collide(a, pose_a, b, pose_b);
-  if (meet) detail::requireBounded(a, b);
+  if (collide(a, pose_a, b, pose_b)) {
+    const Depth d = depth(a, pose_a, b, pose_b);
+    if (d.upper_bound > 0)
+      return {-d.upper_bound - options.margin, d.normal, d.point_a, d.point_b, d.edge_a, d.edge_b};
+    const std::vector<Contact> touches = contacts(a, pose_a, b, pose_b, {0, 1, ContactDetail::LocalDepth});
+    if (!touches.empty()) {
+      const Contact& touch = touches[0];
+      return {0 - options.margin, touch.normal, touch.point, touch.point, touch.edge_a, touch.edge_b};
+    }
+  }
   return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) -> SignedDistance {
-        if (meet) {
-          const Penetration p = detail::penetrationInOrder(operands..., 0);
-          return {0 - p.depth - options.margin, p.normal, p.point_a, p.point_b, p.edge_a, p.edge_b};
-        }
         const detail::PosedPair pair(operands...);
         const auto [nearest, normal] = detail::nearestContact(pair, {options});
         // 0 exactly where they are within the margin: there the distance without one tells by how much.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth/border.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "hierarchy/hierarchy.h"
+#include "pair/complement.h"
+#include "penetration/rings.h"
+#include "polygon/edge_walk.h"
+
+namespace tricover::detail {
+namespace {
+
+struct Borders : Derived::Thing {
+  explicit Borders(const PolygonData& polygon) {
+    std::optional<BorderRings> found = borderRings(polygon);
+    if (!found) {
+      region = &polygon;
+    } else if (!found->rings.empty()) {
+      own = PolygonData::make(RingsView(found->rings), {FillRule::EvenOdd, polygon.fill.is_complement});
+      region = own;
+      edges = std::move(found->edges);
+    }
+  }
+  ~Borders() override {
+    if (own != nullptr) own->release();
+  }
+
+  const PolygonData* region = nullptr;
+  PolygonData* own = nullptr;
+  std::vector<std::size_t> edges;  ///< by the numbers of own edges: positions in the polygon
+};
+
+}  // namespace
+
+const PolygonData* withBordersOnly(const PolygonData& polygon) {
+  if (polygon.isDegenerate()) return nullptr;
+  const std::vector<std::int8_t>& sides = regionSidesOf(polygon).rings;
+  if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side != 0; })) return &polygon;
+  return hierarchyOf(polygon).borders.made<Borders>(polygon).region;
+}
+
+Polygon bordersOf(const Polygon& polygon) {
+  const PolygonData* const region = withBordersOnly(polygon.data());
+  if (region == nullptr || region == &polygon.data() || region->fill.is_complement) return polygon;
+  std::vector<Ring> rings;
+  for (std::size_t ring = 0; ring < region->ringCount(); ++ring) rings.push_back(region->vertices(ring));
+  return Polygon(rings);
+}
+
+Polygon wallsOf(const Polygon& polygon) {
+  const PolygonData* const region = withBordersOnly(polygon.data());
+  std::vector<Ring> walls;
+  if (region != nullptr)
+    forEachEdge(*region, [&](std::size_t edge) {
+      walls.push_back({region->path[edge], region->path[edge + 1], region->path[edge + 1]});
+      return true;
+    });
+  return Polygon(walls);
+}
+
+std::size_t givenEdge(const PolygonData& polygon, const PolygonData& region, std::size_t position) {
+  if (&region == &polygon) return position;
+  return hierarchyOf(polygon).borders.made<Borders>(polygon).edges[region.edgeNumber(position)];
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,498 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Branch and bound for the largest distance that a point of a part has from an area.
+//
+// The distance from one edge of the area is convex. So over a segment or a triangle it is at most the affine function
+// with its values at the corners, and the distance from the area is at most the Peak of these functions for any choice
+// of edges. The area's edge nearest to that peak joins the choice next: the bound is exact once the choice holds the
+// edges that are nearest at the true maximum, as long as their feet are inside of them, and converges elsewhere.
+//
+// The maximum is at a point of the part's edges, on an arc outside of the area, or in the part's interior. There it is
+// a local maximum of the distance from the area alone: no direction leads away from all nearest points. A cell that has
+// such a direction for all edges that may be nearest holds no such maximum.
+#include "depth/deepest_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "depth/directions.h"
+#include "depth/inner_arcs.h"
+#include "depth/peak.h"
+#include "depth/posed_side.h"
+#include "numbers/best_first.h"
+#include "pair/edge_pairs.h"
+#include "penetration/rings.h"
+#include "polygon/convexity.h"
+
+namespace tricover::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostSteps = std::size_t{1} << 17;
+
+/// Of an area near a cell: with more of them the cell is cut.
+constexpr std::size_t kMostEdges = 48;
+/// At the peak of a piece, then it is cut.
+constexpr int kMostLooks = 24;
+
+/// A part of the part: a chain of several edges, or a simplex (an edge, or a triangle of the plane).
+struct Piece {
+  bool operator<(const Piece& other) const { return least > other.least; }
+
+  double least;                                     ///< minus the upper bound of distances in it
+  int corners;                                      ///< 2 or 3; 0 for a chain
+  bool is_known = true;                             ///< whether it is certainly outside of the area
+  std::size_t from = 0, to = 0;                     ///< a chain's points; an edge is `from`
+  std::size_t at = 0;                               ///< the chain's point to look at next
+  std::array<Vec2, 3> corner = {};                  ///< a simplex'
+  Vec2 place = Vec2::Zero();                        ///< the place in it to look at next
+  std::array<std::size_t, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
+  std::size_t edge_count = 0;
+  int looks = 0;  ///< at its peak, since it was cut
+
+  /// Returns whether it is another one. If there are too many, the one that bounds least at the place goes.
+  bool addEdge(std::size_t edge) {
+    for (std::size_t k = 0; k < edge_count; ++k)
+      if (edges[k] == edge) return false;
+    if (edge_count < edges.size()) ++edge_count;
+    for (std::size_t k = edge_count - 1; k > 0; --k) edges[k] = edges[k - 1];
+    edges[0] = edge;
+    return true;
+  }
+};
+
+class DepthSearch {
+ public:
+  DepthSearch(const Overlap& overlap, int part_side, double least, double enough)
+      : overlap_(overlap),
+        frame_(overlap.frame),
+        part_(overlap.pair, frame_, part_side),
+        area_(overlap.pair, frame_, 1 - part_side),
+        arcs_(overlap.arcs[part_side]),
+        is_outside_(overlap.is_outside),
+        is_concave_(is_outside_ && !overlap.excludes && cornersOf(area_.polygon) != nullptr),
+        inside_(is_concave_ ? regionSidesOf(area_.polygon).rings[0] * (area_.isMirrored() ? -1 : 1) : 0),
+        precision_(overlap.precision()),
+        enough_(enough / frame_.unit()),
+        search_(-least / frame_.unit()) {}
+
+  DeepestPoint find() {
+    for (const InnerArc& arc : arcs_.arcs) addArc(arc);
+    if (run()) addInterior(), run();
+    DeepestPoint result = best_;
+    result.distance = best_.distance * frame_.unit();
+    result.upper_bound = std::max(-search_.lower(), best_.distance) * frame_.unit();
+    if (best_.distance > 0) {
+      result.point = frame_.toWorld(best_.point);
+      result.nearest = frame_.toWorld(best_.nearest);
+      result.way = (best_.nearest - best_.point) / best_.distance;
+    }
+    return result;
+  }
+
+ private:
+  /// A convex function, no less than how far a point outside of the area is from that. From an edge; of a convex region
+  /// the depth behind the edge's line.
+  double distance(std::size_t edge, const Vec2& p) const {
+    if (!is_concave_) return area_.distance(edge, p);
+    const Vec2 v = area_.vertex(edge), along = area_.vertex(edge + 1) - v;
+    const double length = along.norm();
+    return length > 0 ? inside_ * cross(along, p - v) / length : area_.distance(edge, p);
+  }
+
+  bool isOutside(const Vec2& p) const {
+    if (overlap_.excludes) return overlap_.excludes(frame_.toWorld(p));
+    const Location location = area_.locate(p);
+    return is_outside_ ? location == Location::Inside : location == Location::Outside;
+  }
+
+  bool run() {
+    return search_.run(
+        precision_, [&] { return ++steps_ > kMostSteps || best_.distance > enough_; },
+        [&](Piece&& piece) {
+          if (piece.corners == 0)
+            expandChain(piece);
+          else if (piece.corners == 2)
+            expandEdge(piece);
+          else
+            expandCell(piece);
+        });
+  }
+
+  void offer(const Vec2& point, const PosedSide::Near& near, std::ptrdiff_t edge) {
+    if (!(-near.distance < search_.upper) || !(near.distance > best_.distance)) return;
+    best_.distance = near.distance;
+    best_.point = point;
+    best_.nearest = near.point;
+    best_.edge = edge;
+    best_.nearest_edge = static_cast<std::ptrdiff_t>(near.edge);
+    search_.upper = -near.distance;
+  }
+
+  // Chains.
+
+  void addArc(const InnerArc& arc) {
+    Piece chain{-kInfinity, 0, arc.is_known, arc.from, arc.to, arc.from};
+    for (const std::ptrdiff_t met : arc.met)
+      if (met >= 0) chain.addEdge(static_cast<std::size_t>(met));
+    pushChain(chain);
+  }
+
+  void pushChain(Piece chain) {
+    if (chain.to == chain.from + 1) return pushEdge(chain);
+    for (std::size_t k = 0; k < chain.edge_count; ++k) {
+      double most = 0;
+      std::size_t at = chain.from;
+      for (std::size_t i = chain.from; i <= chain.to; ++i)
+        if (const double far = distance(chain.edges[k], arcs_.points[i]); far > most) most = far, at = i;
+      if (most < -chain.least) chain.least = -most, chain.at = at;
+    }
+    search_.push(chain);
+  }
+
+  void expandChain(Piece& chain) {
+    const std::size_t at = chain.at;
+    switch (look(chain, arcs_.points[at], edgeAt(chain, at))) {
+      case Look::InArea:
+        return;
+      case Look::NewEdge:
+        return pushChain(chain);
+      case Look::NothingNew:
+        break;
+    }
+    const bool is_between = at > chain.from && at < chain.to;
+    const std::size_t middle = is_between ? at : (chain.from + chain.to) / 2;
+    for (const auto& [from, to] : {std::pair(chain.from, middle), std::pair(middle, chain.to)}) {
+      Piece half = chain;
+      half.from = from, half.to = to, half.at = from;
+      pushChain(half);
+    }
+  }
+
+  std::ptrdiff_t edgeAt(const Piece& piece, std::size_t at) const {
+    return static_cast<std::ptrdiff_t>(arcs_.edges[std::min(at, piece.to - 1)]);
+  }
+
+  enum class Look { NewEdge, NothingNew, InArea };
+  /// Looks at a point of a chain or an edge: which edge of the area is the nearest? An arc that is in the area at a
+  /// point away from the borders is there as a whole.
+  Look look(Piece& piece, const Vec2& point, std::ptrdiff_t edge) {
+    const PosedSide::Near near = area_.nearest(point);
+    if (!piece.is_known && near.distance > 4 * frame_.error()) {
+      piece.is_known = isOutside(point);
+      if (!piece.is_known) return Look::InArea;
+    }
+    offer(point, near, edge);
+    return piece.addEdge(near.edge) ? Look::NewEdge : Look::NothingNew;
+  }
+
+  // Edges and cells.
+
+  void pushEdge(Piece edge) {
+    edge.corners = 2;
+    edge.corner[0] = arcs_.points[edge.from];
+    edge.corner[1] = arcs_.points[edge.from + 1];
+    pushSimplex(edge);
+  }
+
+  void pushSimplex(Piece& simplex) {
+    bound(simplex);
+    search_.push(simplex);
+  }
+
+  /// Bounds it by the edges that it knows; their peak is the next place.
+  void bound(Piece& simplex) {
+    const auto corners = static_cast<std::size_t>(simplex.corners);
+    Peak peak(corners);
+    std::array<std::pair<OfCorners, std::size_t>, Peak::kMost> known;
+    for (std::size_t k = 0; k < simplex.edge_count; ++k) {
+      OfCorners distances{};
+      for (std::size_t c = 0; c < corners; ++c) distances[c] = distance(simplex.edges[k], simplex.corner[c]);
+      known[k] = {distances, simplex.edges[k]};
+      peak.add(distances);
+    }
+    simplex.least = std::max(simplex.least, -peak.value);
+    if (simplex.edge_count == 0) peak.place = {0.5, 0.5, 0};
+    // The last one is the first to be forgotten.
+    std::sort(
+        known.begin(), known.begin() + static_cast<std::ptrdiff_t>(simplex.edge_count),
+        [&](const auto& p, const auto& q) { return valueAt(p.first, peak.place) < valueAt(q.first, peak.place); });
+    simplex.place = Vec2::Zero();
+    for (std::size_t k = 0; k < simplex.edge_count; ++k) simplex.edges[k] = known[k].second;
+    for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
+  }
+
+  void expandEdge(Piece& edge) {
+    const Vec2 place = edge.place;
+    switch (look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]))) {
+      case Look::InArea:
+        return;
+      case Look::NewEdge:
+        if (++edge.looks < kMostLooks) return pushSimplex(edge);
+        break;
+      case Look::NothingNew:
+        break;
+    }
+    const Vec2 middle = cutOf(edge.corner[0], edge.corner[1], place);
+    for (const auto& [v, w] : {std::pair(edge.corner[0], middle), std::pair(middle, edge.corner[1])}) {
+      Piece half = edge;
+      half.looks = 0;
+      half.corner[0] = v, half.corner[1] = w;
+      pushSimplex(half);
+    }
+  }
+
+  /// Where to cut a segment: at a place of it, unless that is near an end.
+  static Vec2 cutOf(const Vec2& v, const Vec2& w, const Vec2& place) {
+    const double length = (w - v).norm();
+    const bool is_inside = (place - v).norm() > 0x1p-4 * length && (w - place).norm() > 0x1p-4 * length;
+    return is_inside ? place : Vec2(0.5 * v + 0.5 * w);
+  }
+
+  // Cells of the plane, where the part's interior may be.
+
+  /// The box around the overlap, along the longest edge there.
+  void addInterior() {
+    if (part_.polygon.isDegenerate()) return;
+    Vec2 along = Vec2::UnitX();
+    double longest = 0;
+    for (const InnerArcs& arcs : overlap_.arcs)
+      for (const InnerArc& arc : arcs.arcs)
+        for (std::size_t i = arc.from; i < arc.to; ++i)
+          if (const Vec2 way = arcs.points[i + 1] - arcs.points[i]; way.norm() > longest)
+            longest = way.norm(), along = way / longest;
+    Eigen::Matrix2d axes;
+    axes << along.x(), -along.y(), along.y(), along.x();
+    Eigen::AlignedBox2d box;
+    for (const InnerArcs& arcs : overlap_.arcs)
+      for (const Vec2& point : arcs.points) box.extend(axes.transpose() * point);
+    if (box.isEmpty() || !(box.sizes().minCoeff() > 0)) return;
+    const auto corner = [&](double x, double y) {
+      return Vec2(axes * (box.min() + Vec2(x * box.sizes().x(), y * box.sizes().y())));
+    };
+    const Vec2 v = corner(0, 0), u = corner(1, 0), w = corner(1, 1), t = corner(0, 1), center = corner(0.5, 0.5);
+    const PosedSide::Near near = area_.nearest(center);
+    double most = 0;
+    for (const Vec2& p : {v, u, w, t}) most = std::max(most, distance(near.edge, p));
+    most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
+    if (most + search_.upper <= precision_) return;
+    const bool is_wide = box.sizes().x() > box.sizes().y();
+    const bool are_all = gather(is_wide ? corner(0, 0.5) : corner(0.5, 0), is_wide ? corner(1, 0.5) : corner(0.5, 1),
+                                0.5 * box.sizes().minCoeff() + most);
+    if (are_all && leadsAway()) return;
+    for (const Vec2& p : {u, t}) {
+      Piece cell{-most, 3};
+      cell.corner = {v, w, p};
+      cell.place = (v + w + p) / 3;
+      search_.push(cell);
+    }
+  }
+
+  /// Whether some direction leads away from all of these edges, which are borders with a known side, wherever outside
+  /// of the area one of them is the nearest: beside an edge along its normal, at a vertex between two of these.
+  bool leadsAway() const {
+    const std::vector<std::int8_t>& sides = regionSidesOf(area_.polygon).rings;
+    OneSidedDirections normals;
+    for (const std::size_t edge : edges_) {
+      const int side = sides[area_.polygon.ringOf(edge)] * (is_outside_ ? 1 : -1) * (area_.isMirrored() ? -1 : 1);
+      const Vec2 along = area_.vertex(edge + 1) - area_.vertex(edge);
+      if (side == 0) return false;
+      if (!along.isZero(0)) normals.add(side * Vec2(-along.y(), along.x()));
+      if (!normals.areOneSided()) return false;
+    }
+    return true;
+  }
+
+  void expandCell(Piece& cell) {
+    const Vec2 place = cell.place;
+    double reach = 0;
+    for (const Vec2& corner : cell.corner) reach = std::max(reach, (corner - place).norm());
+    const PosedSide::Near near = area_.nearest(place);
+    const bool is_outside = isOutside(place);
+    if (!is_outside && near.distance > reach) return;
+    const bool is_in_part = part_.locate(place) != Location::Outside;
+    if (is_outside && is_in_part) offer(place, near, -1);
+    cell.least = std::max(cell.least, (is_outside ? -near.distance : near.distance) - reach);
+    const bool is_new = cell.addEdge(near.edge);
+    bound(cell);
+    if (-cell.least + search_.upper <= precision_) return;
+    // In a convex region the depth is concave: where its peak in the cell isn't in the part, no inner point of that is
+    // one.
+    if (is_concave_ && !is_in_part && is_outside && near.distance + precision_ >= -cell.least) return;
+    // A cell is first looked at in its middle, then at its peak.
+    if ((is_new || cell.looks == 0) && ++cell.looks < kMostLooks) return search_.push(cell);
+    if (!is_in_part && part_.nearest(place).distance > reach) return;
+    const std::size_t side = longestSideOf(cell);
+    const Vec2 &from = cell.corner[side], &to = cell.corner[(side + 1) % 3];
+    const double height = heightOf(cell);
+    if (!gather(from, to, height - cell.least)) return cut(cell, nullptr);
+    if (leadsAway()) return;
+    std::optional<Ends> crossing = edgeAcross(cell, area_, edges_);
+    if (!crossing && (isInArea(cell) || leadsAwayFrom(cell))) return;
+    if (!crossing && gather(part_, from, to, height, part_edges_)) {
+      crossing = edgeAcross(cell, part_, part_edges_);
+      if (!crossing && isOutsideOfPart(cell)) return;
+    }
+    cut(cell, crossing ? &*crossing : nullptr);
+  }
+
+  /// Of a cell that no edge leads through.
+  bool isInArea(const Piece& cell) const {
+    const Vec2 center = centerOf(cell);
+    return area_.nearest(center).distance > 4 * frame_.error() && !isOutside(center);
+  }
+  bool isOutsideOfPart(const Piece& cell) const {
+    const Vec2 center = centerOf(cell);
+    return part_.nearest(center).distance > 4 * frame_.error() && part_.locate(center) == Location::Outside;
+  }
+  static Vec2 centerOf(const Piece& cell) { return (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3; }
+
+  /// Finds the area's edges within reach of a segment. False if there are too many.
+  bool gather(const Vec2& from, const Vec2& to, double reach) { return gather(area_, from, to, reach, edges_); }
+
+  static bool gather(const PosedSide& side, const Vec2& from, const Vec2& to, double reach,
+                     std::vector<std::size_t>& edges) {
+    const Vec2 middle = 0.5 * from + 0.5 * to;
+    const double farthest = reach + 0.5 * (to - from).norm();
+    edges.clear();
+    side.forEachNear(from, to, reach, [&](std::size_t edge) {
+      if (side.distance(edge, middle) <= farthest) edges.push_back(edge);
+      return edges.size() < kMostEdges;
+    });
+    return edges.size() < kMostEdges;
+  }
+
+  static std::size_t longestSideOf(const Piece& cell) {
+    std::size_t longest = 0;
+    double length = -1;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length)
+        length = side, longest = c;
+    return longest;
+  }
+
+  /// The same by the directions from the nearest points of edges that don't lead through the cell.
+  bool leadsAwayFrom(const Piece& cell) const {
+    OneSidedDirections directions;
+    for (const std::size_t edge : edges_) {
+      bool is_known = false;
+      for (const Vec2& corner : cell.corner) {
+        const Vec2 way = corner - area_.foot(edge, corner);
+        if (way.norm() > 64 * frame_.error()) directions.add(way), is_known = true;
+      }
+      if (!is_known || !directions.areOneSided()) return false;
+    }
+    return true;
+  }
+
+  /// An edge that leads through a cell's interior, if there is one: that whose line is nearest to the centre.
+  std::optional<Ends> edgeAcross(const Piece& cell, const PosedSide& side,
+                                 const std::vector<std::size_t>& edges) const {
+    const Vec2 center = centerOf(cell);
+    std::optional<Ends> best;
+    double nearest = kInfinity;
+    for (const std::size_t edge : edges) {
+      const Ends ends{side.vertex(edge), side.vertex(edge + 1)};
+      const double length = (ends.w - ends.v).norm();
+      if (!leadsThrough(cell, ends, length)) continue;
+      const double beside = std::abs(cross(ends.w - ends.v, center - ends.v)) / length;
+      if (beside < nearest) nearest = beside, best = ends;
+    }
+    return best;
+  }
+
+  /// Clips the edge by the triangle, made smaller by rounding.
+  bool leadsThrough(const Piece& cell, const Ends& ends, double length) const {
+    if (length == 0) return false;
+    const double turn = cross(cell.corner[1] - cell.corner[0], cell.corner[2] - cell.corner[0]) > 0 ? 1 : -1;
+    double from = 0, to = 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec2 &v = cell.corner[c], side = (cell.corner[(c + 1) % 3] - v) * turn;
+      const double room = 16 * frame_.error() * side.norm();
+      const double at_v = cross(side, ends.v - v) - room, at_w = cross(side, ends.w - v) - room;
+      if (at_v < 0 && at_w < 0) return false;
+      if (at_v < 0) from = std::max(from, at_v / (at_v - at_w));
+      if (at_w < 0) to = std::min(to, at_v / (at_v - at_w));
+    }
+    return from < to;
+  }
+
+  /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
+  void cut(const Piece& cell, const Ends* edge) {
+    const std::size_t longest = longestSideOf(cell);
+    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 4 * frame_.error())) return;
+    Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3],
+         along = cell.corner[(longest + 2) % 3] - v;
+    if (edge != nullptr) v = edge->v, along = edge->w - edge->v;
+    std::array<double, 3> beside;
+    for (std::size_t c = 0; c < 3; ++c) {
+      beside[c] = cross(along, cell.corner[c] - v);
+      const bool is_on_line =
+          edge != nullptr ? std::abs(beside[c]) <= 2 * frame_.error() * along.norm() : c == (longest + 2) % 3;
+      if (is_on_line) beside[c] = 0;
+    }
+    for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
+  }
+
+  static double heightOf(const Piece& cell) {
+    const std::size_t side = longestSideOf(cell);
+    const Vec2 &v = cell.corner[side], along = cell.corner[(side + 1) % 3] - v;
+    const double length = along.norm();
+    return length > 0 ? std::abs(cross(along, cell.corner[(side + 2) % 3] - v)) / length : 0;
+  }
+
+  /// What is on one side of a line, as a fan.
+  void addHalf(const Piece& cell, const std::array<double, 3>& beside, double side) {
+    std::array<Vec2, 4> kept;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t d = (c + 1) % 3;
+      const double at_c = side * beside[c], at_d = side * beside[d];
+      if (at_c >= 0) kept[count++] = cell.corner[c];
+      if ((at_c < 0 && at_d > 0) || (at_c > 0 && at_d < 0))
+        kept[count++] = cell.corner[c] + at_c / (at_c - at_d) * (cell.corner[d] - cell.corner[c]);
+    }
+    for (std::size_t i = 2; i < count; ++i) {
+      Piece half = cell;
+      half.corner = {kept[0], kept[i - 1], kept[i]};
+      if (heightOf(half) <= 0.25 * frame_.error()) continue;  // but for rounding the neighbours hold it
+      half.looks = 0;
+      half.place = (kept[0] + kept[i - 1] + kept[i]) / 3;
+      search_.push(half);
+    }
+  }
+
+  const Overlap& overlap_;
+  const WorldFrame& frame_;
+  const PosedSide part_, area_;
+  const InnerArcs& arcs_;
+  const bool is_outside_, is_concave_;
+  const double inside_;  ///< of a convex region: 1 if that is to the left of its edges, -1 to the right
+  const double precision_, enough_;
+  BestFirst<Piece> search_;
+  DeepestPoint best_;  ///< in the frame
+  std::size_t steps_ = 0;
+  std::vector<std::size_t> edges_, part_edges_;  ///< of the area, and of the part, that are near a cell
+};
+
+}  // namespace
+
+Overlap::Overlap(const PolygonData& part, const Pose& pose_part, const Area& area)
+    : excludes(area.excludes),
+      is_outside(area.is_outside),
+      part_side(area.polygon.unit >= part.unit ? 1 : 0),
+      pair(part_side == 1 ? PosedPair(area.polygon, area.pose, part, pose_part)
+                          : PosedPair(part, pose_part, area.polygon, area.pose)),
+      frame(pair),
+      crossings(findCrossings(pair, frame)),
+      arcs{{pair, frame, crossings, 0, part_side == 0 ? is_outside : true, !excludes},
+           {pair, frame, crossings, 1, part_side == 1 ? is_outside : true, !excludes}} {}
+
+DeepestPoint findDeepestPoint(const Overlap& overlap, bool swaps, double least, double enough) {
+  return DepthSearch(overlap, swaps ? 1 - overlap.part_side : overlap.part_side, least, enough).find();
+}
+
+}  // namespace tricover::detail

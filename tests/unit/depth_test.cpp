@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depths, excesses and Hausdorff distances that are known by hand. tests/oracle/depth_oracle_test.cpp has the laws of
+// all families.
+#include "tricover/depth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "depth_laws.h"
+#include "random.h"
+#include "refusal.h"
+#include "shapes.h"
+#include "test_scale.h"
+#include "tricover/covers.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr EdgeIndex kMostEdges = 200;  // for the laws, which are exact
+const Pose kHere = Pose::Identity();
+
+Pose at(double x, double y, double heading = 0) { return tricover::pose(x, y, heading); }
+
+/// Under every law, and of swapped operands.
+double depthOf(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
+  const Depth found = depth(a, pose_a, b, pose_b);
+  const bool is_small = a.edgeCount() + b.edgeCount() < kMostEdges;
+  EXPECT_EQ(is_small ? wrongDepth({a, pose_a, b, pose_b}, found) : "", "");
+  return found.depth;
+}
+double depthOf(const Polygon& a, const Polygon& b, const Pose& pose_b) { return depthOf(a, kHere, b, pose_b); }
+
+double excessOf(const Polygon& part, const Pose& pose, const Polygon& area) {
+  const Excess found = excess(part, pose, area, kHere);
+  EXPECT_EQ(area.edgeCount() < kMostEdges ? wrongExcess({part, pose, area, kHere}, found) : "", "");
+  EXPECT_EQ(found.distance == 0, covers(area, kHere, part, pose));
+  return found.distance;
+}
+
+/// t into both walls of a corner of some angle: t / sin(angle / 2).
+TEST(Depth, OfACrateInACorner) {
+  const Polygon room = box(10, 10).complement(), crate = box(2, 2);
+  for (const double t : {1e-12, 1e-9, 1e-6, 0.01, 0.5})
+    EXPECT_NEAR(depthOf(room, crate, at(-4 - t, -4 - t)), std::sqrt(2) * t, 2e-14) << t;
+  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}});
+  EXPECT_NEAR(depthOf(corner, crate, at(1.99, 2)), 0.01, 1e-14);
+  EXPECT_NEAR(depthOf(corner, crate, at(1.99, 1.99)), std::sqrt(2) * 0.01, 1e-14);
+  // A wedge of the same angle pushed into the apex of a slot.
+  for (const double half : {0.1, 0.3, 0.7, 1.2}) {
+    const double far = 20, x = far * std::cos(half), y = far * std::sin(half);
+    const Polygon slot(Ring{{0, 0}, {x, y}, {-30, 30}, {-30, -30}, {x, -y}}),
+        wedge(Ring{{0, 0}, {x / 4, -y / 4}, {x / 4, y / 4}});
+    const double t = 1e-3;
+    EXPECT_NEAR(depthOf(slot, wedge, at(-t / std::sin(half), 0)), t / std::sin(half), 1e-13) << half;
+  }
+}
+
+TEST(Depth, NamesPointsEdgesAndANormal) {
+  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}}), crate = box(2, 2);
+  const Depth of_crate = depth(corner, kHere, crate, at(1.99, 1.99));
+  EXPECT_FALSE(of_crate.is_point_of_a);
+  EXPECT_NEAR((of_crate.point_b - Vec2(0.99, 0.99)).norm(), 0, 1e-14);
+  EXPECT_NEAR((of_crate.point_a - Vec2(1, 1)).norm(), 0, 1e-14);
+  EXPECT_NEAR((of_crate.normal - Vec2(1, 1).normalized()).norm(), 0, 1e-12);
+  EXPECT_TRUE(of_crate.edge_a == 2 || of_crate.edge_a == 3) << of_crate.edge_a;
+  EXPECT_TRUE(of_crate.edge_b == 3 || of_crate.edge_b == 0) << of_crate.edge_b;
+  EXPECT_LE(of_crate.upper_bound, of_crate.depth + 1e-14);
+  const Depth apart = depth(crate, kHere, crate, at(2, 0.5));
+  EXPECT_EQ(apart.depth, 0);
+  EXPECT_EQ(apart.edge_a, -1);
+  EXPECT_EQ(apart.edge_b, -1);
+  // A hole's middle, where another region fills the hole.
+  const Depth in_hole = depth(box(20, 20), kHere, Polygon({regular(6, 8), regular(6, 2)}).complement(), kHere);
+  EXPECT_FALSE(in_hole.is_point_of_a);
+  EXPECT_EQ(in_hole.edge_b, -1);
+  EXPECT_NEAR(in_hole.depth, 10, 2e-14);
+  const Depth filled = depth(box(1, 1), kHere, Polygon({regular(64, 9)}), kHere);
+  EXPECT_EQ(filled.is_point_of_a, true);
+  EXPECT_EQ(filled.edge_a, -1);
+  EXPECT_EQ((filled.point_a - Vec2(0, 0)).norm() <= 1e-13, true);
+}
+
+TEST(Depth, OfThinBodies) {
+  for (const double w : {0.1, 1e-3, 1e-9, 1.0}) {
+    const Polygon bar = box(4, w);
+    EXPECT_NEAR(depthOf(bar, bar, at(0, 0, M_PI / 2)), w / 2, 1e-15 + 1e-13 * w) << w;
+    EXPECT_NEAR(depthOf(bar, bar, at(0.3, 0.2, 1)), w / 2, 1e-14) << w;
+    // Never deeper than half of the thinner one's width where both are thin; a thin wall through a robot is as deep as
+    // the robot.
+    const Polygon robot({regular(8, 1)}), wall = box(20, w / 10);
+    EXPECT_NEAR(depthOf(robot, wall, at(0, 0)), std::cos(M_PI / 8), 1e-13);
+  }
+  // A crate's corner through a thin wall is as deep as the wall is in the crate.
+  const Polygon wall = box(0.02, 10), crate = box(2, 2);
+  EXPECT_NEAR(depthOf(wall, crate, at(-1.3, 0, M_PI / 4)), (std::sqrt(2) - 1.3 + 0.01) / std::sqrt(2), 1e-13);
+}
+
+TEST(Depth, OfCombsThatInterlock) {
+  const double mm = 1e-3;
+  // Teeth from 0 to 0.5 + mm, every 1; in the gaps, teeth from 0.5 to 1 + mm.
+  std::vector<Ring> up, down;
+  for (int i = 0; i < 4; ++i) {
+    up.push_back(rectangle(i, 0, i + 0.5 + mm, 2));
+    down.push_back(rectangle(i + 0.5, 0.5, i + 1 + mm, 3));
+  }
+  EXPECT_NEAR(depthOf(Polygon(up), Polygon(down), kHere), mm, 1e-14);
+}
+
+TEST(Depth, OfSegmentsAndPoints) {
+  EXPECT_NEAR(depthOf(box(4, 2), segment({0, 0.5}, {3, -1.5}), kHere), 1, 1e-14);
+  EXPECT_NEAR(depthOf(box(4, 2), segment({-9, 0.25}, {9, 0.25}), kHere), 0.75, 1e-14);
+  EXPECT_NEAR(depthOf(box(4, 2), point({1, 0.5}), kHere), 0.5, 1e-14);
+  EXPECT_EQ(depthOf(box(4, 2), point({2, 0.5}), kHere), 0);
+  EXPECT_EQ(depthOf(box(4, 2), segment({-2, 1}, {2, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(point({0, 0}), point({0, 0}), kHere), 0);
+  // A spike inside counts as a segment does.
+  EXPECT_NEAR(depthOf(box(4, 4), Polygon({{{2, -1}, {4, -1}, {4, 1}, {2, 1}, {2, 0}, {1, 0}, {2, 0}}}), kHere), 1,
+              1e-14);
+}
+
+/// Edges that the region is on both sides of don't count.
+TEST(Depth, OverlooksSlitsAndEdgesUsedTwice) {
+  const Polygon slit({{{-2, -2}, {0, -2}, {0, 1}, {0, -2}, {2, -2}, {2, 2}, {-2, 2}}});
+  EXPECT_NEAR(depthOf(slit, point({0, 0}), kHere), 2, 1e-14);
+  EXPECT_NEAR(depthOf(slit, box(1, 1), kHere), 2, 1e-14);
+  const Polygon halves({rectangle(-2, -2, 0, 2), rectangle(0, -2, 2, 2)});
+  EXPECT_NEAR(depthOf(halves, box(1, 1), kHere), 2, 1e-14);
+  // Under non-zero the borders end at crossings, and what is covered twice is inside.
+  const Polygon cross({rectangle(-3, -1, 3, 1), rectangle(-1, -3, 1, 3)}, FillRule::NonZero);
+  EXPECT_NEAR(depthOf(cross, point({0, 0}), kHere), std::sqrt(2), 1e-14);
+  const Polygon hollow({rectangle(-3, -1, 3, 1), rectangle(-1, -3, 1, 3)}, FillRule::EvenOdd);
+  EXPECT_EQ(depthOf(hollow, point({0, 0}), kHere), 0);
+  EXPECT_NEAR(depthOf(hollow, point({2, 0.5}), kHere), 0.5, 1e-14);
+}
+
+TEST(Depth, OfComplements) {
+  const Polygon lot({rectangle(-10, -10, 10, 10), rectangle(-1, -1, 1, 1)});  // with a post of 2
+  const Polygon outside = lot.complement(), car = box(2, 2);
+  EXPECT_EQ(depthOf(outside, car, at(5, 5)), 0);
+  EXPECT_EQ(depthOf(outside, car, at(9, 5)), 0);
+  EXPECT_NEAR(depthOf(outside, car, at(9.25, 5)), 0.25, 1e-14);
+  EXPECT_NEAR(depthOf(outside, car, at(2 - 0.125, 0)), 0.125, 1e-14);
+  EXPECT_NEAR(depthOf(outside, car, at(40, 0)), 31, 4e-14);
+  EXPECT_EQ(depthOf(outside, outside, kHere), kInfinity);
+  EXPECT_EQ(
+      depthOf(Polygon({rectangle(0, 0, 1, 1)}).complement(), Polygon({rectangle(0, 2, 1, 3)}).complement(), kHere),
+      kInfinity);
+  // A dock that fits exactly.
+  const Polygon dock({{{0, -.5}, {.8, -.5}, {.8, .5}, {0, .5}, {0, .25}, {.6, .25}, {.6, -.25}, {0, -.25}}});
+  EXPECT_EQ(depthOf(dock, box(.6, .5), at(.3, 0)), 0);
+  EXPECT_NEAR(depthOf(dock, box(.6, .5), at(.301, 0)), 0.001, 1e-15);
+}
+
+/// n edges at once are nearest, or n pieces of two lines.
+TEST(Depth, OfWhatManyEdgesTieIn) {
+  for (const int n : {3, 4, 5, 64, 1024, 4096}) {
+    const Polygon peg({regular(n, 3)});
+    EXPECT_NEAR(depthOf(peg, box(1, 1), kHere), 3 * std::cos(M_PI / n), 1e-14) << n;
+    EXPECT_NEAR(excessOf(box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n), 1e-14)
+        << n;
+  }
+  Ring corridor, jagged;
+  for (int i = 0; i <= 500; ++i) corridor.emplace_back(i, 0);
+  for (int i = 500; i >= 0; --i) corridor.emplace_back(i, 1);
+  const Polygon hall(corridor);
+  EXPECT_NEAR(depthOf(hall, box(100, 2), at(250, 0.5)), 1, 1e-13);
+  EXPECT_NEAR(depthOf(hall, box(100, 0.25), at(250, 0.5)), 0.5, 1e-13);
+  EXPECT_NEAR(depthOf(hall.complement(), box(100, 1.5), at(250, 0.5)), 0.25, 1e-13);
+  EXPECT_NEAR(depthOf(hall, hall, kHere), 0.5, 1e-13);
+}
+
+/// Flat maxima: an edge along a parallel one, all of whose points are equally deep.
+TEST(Depth, OfParallelPlateaus) {
+  const Polygon floor = box(2000, 1);
+  for (const double deep : {1e-9, 1e-3, 0.1})
+    for (const double turn : {0.0, 0.3, 1.5}) {
+      const Pose frame = at(7, -3, turn);
+      EXPECT_NEAR(depthOf(floor, frame, box(1000, 1), frame * at(0, 1 - deep)), deep, 1e-12) << deep << " " << turn;
+      EXPECT_NEAR(depthOf(floor, frame, segment({-300, 0}, {300, 0}), frame * at(0, 0.5 - deep)), deep, 1e-12);
+    }
+}
+
+TEST(Depth, OfAnySize) {
+  for (const double size : {1e-300, 1e-200, 1e-10, 1e10, 1e150, 1e200}) {
+    const Polygon square = box(4, 4).scaled(size);
+    EXPECT_NEAR(depthOf(square, square, at(3.5 * size, size)) / size, 0.5, 1e-13) << size;
+    EXPECT_NEAR(depthOf(square.complement(), square, at(size, size)) / size, std::sqrt(2), 1e-13) << size;
+    EXPECT_NEAR(depthOf(box(1, 1), square, at(0.3, 0)), size < 1 ? 0.2 + 2 * size : 2 * size,
+                (size < 1 ? 1 : size) * 1e-13)
+        << size;
+  }
+}
+
+/// As they are written: what a pose stretches is longer.
+TEST(Depth, OfPosesThatMirrorOrAreHardlyRigid) {
+  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}}), crate = box(2, 2);
+  const Pose flipped = mirrored(kHere);
+  EXPECT_NEAR(depthOf(corner, flipped, crate, flipped * at(1.99, 1.99)), std::sqrt(2) * 0.01, 1e-14);
+  for (const double off : {1e-15, 1e-9, 4e-5}) {
+    Pose stretched = at(3.5, 0);
+    stretched.linear() *= 1 + off;
+    EXPECT_NEAR(depthOf(box(4, 4), box(4, 4), stretched), 0.5 + 2 * off, 1e-14) << off;
+    stretched.translation().setZero();
+    EXPECT_NEAR(depthOf(box(4, 4), box(4, 4), stretched), 2 * (1 + off), 1e-14) << off;
+  }
+}
+
+/// By no more than they move, but a hairline slit changes it.
+TEST(Depth, ChangesByNoMoreThanBodiesMove) {
+  Random random(8);
+  for (int i = 0; i < scaledCount(300); ++i) {
+    const Polygon a(star(random, 9, 0.4, 1)), b(star(random, 9, 0.4, 1));
+    const Pose pose_a = randomPose(random, 0.5), pose_b = randomPose(random, 0.5);
+    Pose moved = pose_b;
+    moved.translation() += std::pow(10, random.real(-9, 0)) * direction(random.real(0, 6.3));
+    const double by = (moved.translation() - pose_b.translation()).norm();
+    EXPECT_LE(std::abs(depth(a, pose_a, b, pose_b).depth - depth(a, pose_a, b, moved).depth), by + 1e-14) << i;
+  }
+  const Polygon hairline({{{-2, -2}, {-1e-12, -2}, {0, 1}, {1e-12, -2}, {2, -2}, {2, 2}, {-2, 2}}});
+  EXPECT_LE(depthOf(hairline, point({0, 0}), kHere), 1e-12);
+}
+
+TEST(Excess, OfRegionsWithHolesAndWithout) {
+  const Polygon area = box(10, 10);
+  EXPECT_EQ(excessOf(box(2, 2), at(4, 4), area), 0);
+  EXPECT_NEAR(excessOf(box(2, 2), at(4.5, 0), area), 0.5, 1e-14);
+  EXPECT_NEAR(excessOf(box(2, 2), at(4.5, 4.5), area), std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(excessOf(point({8, 9}), kHere, area), 5, 1e-14);
+  EXPECT_NEAR(excessOf(segment({0, 0}, {8, 0}), kHere, area), 3, 1e-14);
+  // The middle of a hole.
+  const Polygon holed({rectangle(-5, -5, 5, 5), rectangle(-2, -2, 2, 2)});
+  const Excess in_hole = excess(area, kHere, holed, kHere);
+  EXPECT_NEAR(in_hole.distance, 2, 1e-14);
+  EXPECT_EQ(in_hole.edge, -1);
+  EXPECT_NEAR(in_hole.point.norm(), 0, 1e-13);
+  EXPECT_NEAR(excessOf(area, kHere, holed), 2, 1e-14);
+  // What has no area is far from hardly more than itself.
+  EXPECT_NEAR(excessOf(area, kHere, point({0, 0})), std::sqrt(50), 1e-14);
+  EXPECT_NEAR(excessOf(area, kHere, segment({-5, 0}, {5, 0})), 5, 1e-14);
+  EXPECT_EQ(excessOf(segment({-1, 0}, {1, 0}), kHere, segment({-5, 0}, {5, 0})), 0);
+  // Unbounded.
+  EXPECT_EQ(excessOf(area.complement(), kHere, area), kInfinity);
+  EXPECT_EQ(excessOf(area.complement(), kHere, box(4, 4).complement()), 0);
+  EXPECT_NEAR(excessOf(box(4, 4).complement(), kHere, area.complement()), 3, 1e-14);
+  EXPECT_NEAR(excessOf(area, kHere, box(4, 4).complement()), 2, 1e-14);
+}
+
+/// GEOS gives 910/19 for the lines, and for their vertices alone sqrt(500), which is right of the regions.
+TEST(Excess, IsKnownInClosedForm) {
+  const Polygon a({{{0, 0}, {100, 0}, {10, 100}}}), b({{{0, 100}, {0, 10}, {80, 10}}});
+  const Polygon line_a({{{0, 0}, {100, 0}, {10, 100}, {100, 0}}}), line_b({{{0, 100}, {0, 10}, {80, 10}, {0, 10}}});
+  const Excess found = excess(line_a, kHere, line_b, kHere);
+  EXPECT_NEAR(found.distance, 910 / 19.0, 2e-13);
+  EXPECT_NE(found.edge, -1);
+  EXPECT_NEAR(excessOf(line_a, kHere, line_b), 910 / 19.0, 2e-13);
+  EXPECT_NEAR(excessOf(a, kHere, b), std::sqrt(500), 2e-13);
+  EXPECT_NEAR(hausdorffDistance(line_a, kHere, line_b, kHere), 910 / 19.0, 2e-13);
+}
+
+TEST(HausdorffDistance, IsTheLargerExcess) {
+  EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2), kHere), 0);
+  EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(2, 2), at(0.5, 0)), 0.5, 1e-14);
+  EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
+  EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2).complement(), kHere), kInfinity);
+  EXPECT_NEAR(hausdorffDistance(box(2, 2).complement(), kHere, box(6, 4).complement(), kHere), 2, 1e-14);
+}
+
+TEST(Depth, RefusesWhatIsNoPose) {
+  const Polygon square = box(1, 1);
+  Pose skewed = kHere, absent = kHere;
+  skewed.linear()(0, 0) = 2;
+  absent.translation().x() = std::nan("");
+  for (const Pose& bad : {skewed, absent}) {
+    EXPECT_NE(refusal([&] { depth(square, bad, square, kHere); }).find("pose_a"), std::string::npos);
+    EXPECT_NE(refusal([&] { depth(square, kHere, square, bad); }).find("pose_b"), std::string::npos);
+    EXPECT_NE(refusal([&] { excess(square, bad, square, kHere); }).find("pose_part"), std::string::npos);
+    EXPECT_NE(refusal([&] { excess(square, kHere, square, bad); }).find("pose_area"), std::string::npos);
+    EXPECT_NE(refusal([&] { hausdorffDistance(square, kHere, square, bad); }).find("pose_b"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace tricover::support
