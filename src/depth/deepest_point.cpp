@@ -76,7 +76,7 @@ class DepthSearch {
         is_concave_(is_outside_ && !overlap.excludes && cornersOf(area_.polygon) != nullptr),
         inside_(is_concave_ ? regionSidesOf(area_.polygon).rings[0] * (area_.isMirrored() ? -1 : 1) : 0),
         precision_(overlap.precision()),
-        enough_(enough / frame_.unit()),
+        enough_((enough + kTiny) / frame_.unit() + precision_),
         search_(-least / frame_.unit()) {}
 
   DeepestPoint find() {

@@ -9,8 +9,8 @@
 
 namespace tricover::detail {
 
-/// Part and area: where they meet, and the arcs of either one that the other one has. Of the part that is the inside, of
-/// the area, whose distance is sought, what is outside of it.
+/// Part and area: where they meet, and the arcs of either one that the other one has. Of the part that is the inside,
+/// of the area, whose distance is sought, what is outside of it.
 struct Overlap {
   struct Area {
     const PolygonData& polygon;  ///< the area's edges; where the area is what is outside of it, its borders alone
@@ -29,7 +29,7 @@ struct Overlap {
 
   const std::function<bool(const Vec2&)> excludes;
   const bool is_outside;
-  const int part_side;   ///< the pair has the larger unit first
+  const int part_side;  ///< the pair has the larger unit first
   const PosedPair pair;
   const WorldFrame frame;
   const std::vector<EdgeCrossing> crossings;
@@ -45,9 +45,10 @@ struct DeepestPoint {
   double upper_bound = 0;
 };
 
-/// The point of the part that is farthest from the area. Points that are no farther than `least` don't count. The search
-/// ends as soon as a point is farther than `enough`. With `swaps`, of an area that is what is outside of its polygon: the
-/// point of that polygon that is farthest from what is outside of the part, whose edges must all be borders.
+/// The point of the part that is farthest from the area. Points that are no farther than `least` don't count. The
+/// search ends as soon as a point is farther than `enough`. With `swaps`, of an area that is what is outside of its
+/// polygon: the point of that polygon that is farthest from what is outside of the part, whose edges must all be
+/// borders.
 DeepestPoint findDeepestPoint(const Overlap& overlap, bool swaps, double least, double enough);
 
 }  // namespace tricover::detail

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "depth/conflicts.h"
+#include "depth/deep_impact.h"
 #include "depth/excess.h"
-#include "impact/conflicts.h"
-#include "impact/deep_impact.h"
 #include "pair/coverage.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"

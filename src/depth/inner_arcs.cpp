@@ -78,9 +78,7 @@ class Collector {
     if (found.location == Location::Boundary) return {};
     return {true, isMirrored(pair_.pose_a) ? -found.winding : found.winding};
   }
-  bool isSought(const KnownWinding& winding) const {
-    return isInside(pair_.a.fill, winding.number) == wants_inside_;
-  }
+  bool isSought(const KnownWinding& winding) const { return isInside(pair_.a.fill, winding.number) == wants_inside_; }
 
   Vec2 vertex(std::size_t v) const { return frame_.from(side_, own_.path[v]); }
   Vec2 on(const RingStop& stop) const {

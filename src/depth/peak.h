@@ -19,8 +19,8 @@ inline double valueAt(const OfCorners& function, const OfCorners& place) {
 /// coordinates: a linear program, which takes the functions one by one. A function that is lower at the peak so far is
 /// the least one at the next peak: that is a corner of what is left of the simplex where all others are higher.
 ///
-/// A convex function is nowhere above the affine one with its values at the corners. Hence the peak is an upper bound of
-/// the least of convex functions, such as distances from edges.
+/// A convex function is nowhere above the affine one with its values at the corners. Hence the peak is an upper bound
+/// of the least of convex functions, such as distances from edges.
 class Peak {
  public:
   static constexpr std::size_t kMost = 6;  ///< functions

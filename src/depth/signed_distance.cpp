@@ -21,8 +21,7 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
   detail::checkOptions(options);
   if (collide(a, pose_a, b, pose_b)) {
     const Depth d = depth(a, pose_a, b, pose_b);
-    if (d.upper_bound > 0)
-      return {-d.upper_bound - options.margin, d.normal, d.point_a, d.point_b, d.edge_a, d.edge_b};
+    if (d.upper_bound > 0) return {-d.upper_bound - options.margin, d.normal, d.point_a, d.point_b, d.edge_a, d.edge_b};
     const std::vector<Contact> touches = contacts(a, pose_a, b, pose_b, {0, 1, ContactDetail::LocalDepth});
     if (!touches.empty()) {
       const Contact& touch = touches[0];

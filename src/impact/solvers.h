@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "impact/moving_pair.h"
 #include "tricover/time_of_impact.h"
 
@@ -29,5 +31,9 @@ FirstContact followVertices(const MovingPair& pair, double begin, double time_er
 
 /// Best-first search over both hierarchies and time: slower than what knows more of its polygons, and fit for all.
 FirstContact searchBoxes(const MovingPair& pair, double begin, double time_error);
+
+/// timeOfImpact() of operands in the kernel's order, with a margin that isn't negative, whatever they do at the begin.
+std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
+                                    const Motion& motion_b, const ImpactOptions& options);
 
 }  // namespace tricover::detail

@@ -8,15 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "impact/conflicts.h"
 #include "impact/options.h"
 #include "impact/solvers.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 #include "polygon/convexity.h"
 
-namespace tricover {
-namespace detail {
+namespace tricover::detail {
 namespace {
 
 /// From the pair's frame at `time` to the world.
@@ -116,6 +114,8 @@ constexpr Solver kSolvers[] = {
     {fitsAll, searchBoxes},
 };
 
+}  // namespace
+
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
                                     const Motion& motion_b, const ImpactOptions& options) {
   Impact impact;
@@ -134,45 +134,4 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
   return describe(pair, found);
 }
 
-void swapOperands(std::optional<Impact>& impact) {
-  if (!impact) return;
-  impact->normal = -impact->normal;
-  std::swap(impact->edge_a, impact->edge_b);
-}
-
-/// With a negative margin.
-[[gnu::cold, gnu::noinline]] std::optional<Impact> deepImpact(const Polygon& a, const Motion& motion_a,
-                                                              const Polygon& b, const Motion& motion_b,
-                                                              const ImpactOptions& options) {
-  if (inOrder(a.data(), motion_a, b.data(), motion_b))
-    return MovingContact(a, motion_a, b, motion_b, options).deepImpact();
-  std::optional<Impact> impact = MovingContact(b, motion_b, a, motion_a, options).deepImpact();
-  swapOperands(impact);
-  return impact;
-}
-
-}  // namespace
-}  // namespace detail
-
-std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
-                                   const ImpactOptions& options) {
-  detail::checkOptions(options);
-  detail::checkMotions(motion_a, motion_b);
-  auto first = options.margin < 0
-                   ? detail::deepImpact(a, motion_a, b, motion_b, options)
-                   : detail::inKernelOrder(
-                         a.data(), motion_a, b.data(), motion_b,
-                         [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
-                         detail::swapOperands);
-  if (!options.ignore_initial || !first) return first;
-  detail::MovingContact contact(a, motion_a, b, motion_b, options);
-  if (!contact.touchAt(0)) return first;
-  const auto end = contact.endOfContact(0);
-  if (end.is_known) return contact.next(end.time);
-  // Whether the first contact lasts is unknown.
-  first->time = end.time;
-  first->budget_ended = true;
-  return first;
-}
-
-}  // namespace tricover
+}  // namespace tricover::detail

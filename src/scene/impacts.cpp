@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "impact/conflicts.h"
+#include "depth/conflicts.h"
 #include "impact/options.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"

@@ -7,7 +7,7 @@
 // is one of a, too. Where no translation keeps a piece away from all touches, it is cut: the first point that is so
 // deep is on an edge, and each piece of an outline has translations of its own. A short one's depth says how long it
 // certainly isn't as deep.
-#include "impact/deep_impact.h"
+#include "depth/deep_impact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,8 +179,7 @@ class DeepImpact {
     }
     const Vec2 in_frame = pose.linear().inverse() * shift;
     const DeepestPoint deepest = of_.deepest(moved.translated(in_frame), piece.of_a, piece.least);
-    if (isKnown(deepest.distance))
-      return addTouch(piece, {deepest.way, deepest.way.dot(shift) + deepest.distance});
+    if (isKnown(deepest.distance)) return addTouch(piece, {deepest.way, deepest.way.dot(shift) + deepest.distance});
     addTouches(piece, shift, touch, piece.least);
   }
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "impact/conflicts.h"
+#include "depth/conflicts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "depth/border.h"
 #include "impact/cubic.h"
-#include "impact/deep_impact.h"
 #include "impact/options.h"
 #include "impact/vertex_paths.h"
 #include "numbers/rigidity.h"
@@ -15,10 +13,7 @@
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
 #include "pair/kernel_order.h"
-#include "penetration/rings.h"
-#include "polygon/edge_walk.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
 
 namespace tricover {
 namespace detail {
@@ -50,25 +45,6 @@ int stepsAlongContacts(const MovingPair& pair) {
   const double edges = static_cast<double>(pair.a.polygon->path.size() + pair.b.polygon->path.size());
   const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
   return static_cast<int>(std::min((0x1p10 + 16 * edges) * (1 + radians), 0x1p21));
-}
-
-/// From an edge of a region that has its inside on one side of each alone; and from the next one, at their vertex.
-std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact& touch, double precision) {
-  const PolygonData& data = region.data();
-  const std::size_t edge = data.edgePosition(static_cast<std::size_t>(touch.edge_a));
-  std::vector<Vec2> normals;
-  const auto add = [&](std::size_t position) {
-    const Vec2 along = pose.linear() * (data.path[position + 1] - data.path[position]);
-    const double side = regionSidesOf(data).rings[data.ringOf(position)] * (isMirrored(pose) ? -1 : 1);
-    normals.push_back((side * Vec2(along.y(), -along.x())).stableNormalized());
-  };
-  add(edge);
-  const auto isAt = [&](std::size_t position) {
-    return (pose * data.path[position] - touch.point).stableNorm() <= precision;
-  };
-  if (isAt(edge + 1)) add(edgeAfter(data, edge));
-  if (isAt(edge)) add(edgesAt(data, edge).before);
-  return normals;
 }
 
 }  // namespace
@@ -129,38 +105,6 @@ bool MovingContact::meetUntil(double time, double next) const {
       findCertificate(posed.pair.a, posed.pose_a, posed.pair.b, posed.pose_b, {0, 0}, {2 * travel, true});
   if (found.collides && found.clearance + margin_ > travel) return true;
   return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
-}
-
-/// Whether the deepest point of the first time stays so far from the borders around it.
-bool MovingContact::staysDeep(double time, double next) const {
-  const Depth& deep = depthAt(time);
-  if (!(deep.depth > 0 && touch_margin_ < 0 && next > time) || deep.point_a == deep.point_b) return false;
-  const bool of_a = deep.is_point_of_a;
-  const Motion &own = of_a ? motion_a_ : motion_b_, &other = of_a ? motion_b_ : motion_a_;
-  std::optional<Polygon>& walls = walls_[of_a ? 1 : 0];
-  if (!walls) walls.emplace(wallsOf(of_a ? b_ : a_));
-  const Vec2 at = own.at(time).inverse(Eigen::Affine) * (of_a ? deep.point_a : deep.point_b);
-  if (!at.allFinite()) return false;
-  return !timeOfImpact(*walls, other.part(time, next), point(at), own.part(time, next), {-touch_margin_, 1});
-}
-
-/// The first contact that is as deep as the margin allows.
-std::optional<Impact> MovingContact::deepImpact() const {
-  const Polygon borders_a = bordersOf(a_), borders_b = bordersOf(b_);
-  DeepQuestion question{a_, motion_a_, b_, motion_b_, borders_a, borders_b, -margin_, precision_, speed_};
-  question.asks_a = withBordersOnly(b_.data()) != nullptr;
-  question.asks_b = withBordersOnly(a_.data()) != nullptr;
-  question.depth = [&](double time) { return depthAt(time); };
-  question.deepest = [&](const Polygon& piece, bool of_a, double time) {
-    const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
-    const Polygon& region = of_a ? borders_b : borders_a;
-    const Overlap overlap(piece.data(), of_a ? pose_a : pose_b, {region.data(), of_a ? pose_b : pose_a, true});
-    return findDeepestPoint(overlap, false, 0, std::numeric_limits<double>::infinity());
-  };
-  question.away = [&](const Impact& touch, bool of_a, double time) {
-    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch, 16 * precision_);
-  };
-  return findDeepImpact(question);
 }
 
 /// Whether one holds the other, and goes on to: by the edges that come near, none of which meet.
