@@ -50,9 +50,9 @@ enum class ContactDetail {
   /// A point and the two edges that meet in it or, for a ring inside the other region, a vertex with its edge. Depth
   /// and normal are 0. Takes at most twice as long as crossings(), as a rule.
   Points,
-  /// Also a depth and a normal, from this component of the overlap and the edges around it as if there were no others.
-  /// A simulation, which computes contacts anew at each step, needs no more. Takes four to seven times as long as
-  /// crossings(), as a rule.
+  /// Also a depth and a normal, from the outlines around this component of the overlap as if there were no others. A
+  /// simulation, which computes contacts anew at each step, needs no more. Takes four to nine times as long as
+  /// crossings() where the overlap is shallow, and up to a hundred times where hundreds of edges bound it.
   LocalDepth,
   /// Also, if the overlap is one component, the shortest translation that separates the regions, for callers that want
   /// to be free at once. Takes as long as penetration().
@@ -74,7 +74,9 @@ struct ContactOptions {
 
 /// One of a contact's points, in the world.
 struct ContactPoint {
-  Vec2 point;    ///< Between the two outlines.
+  /// Between the two edges, by the same share as the contact's point, and in the middle of a gap within the margin. At
+  /// an acute corner it may lie outside of a region.
+  Vec2 point;
   double depth;  ///< At least 0, and no more than the contact's.
 };
 
@@ -88,11 +90,12 @@ struct Contact {
   /// A unit vector, from a towards where b leaves it. If both polygons are convex, or the overlap is one component with
   /// GlobalDepth, moving b along it by `depth` is the shortest separating translation, as penetration() finds it. For
   /// polygons that are not convex that search ends after 2^22 translations divided by the number of vertices, and is
-  /// left out beyond 4096 vertices. Where it ends, with LocalDepth and for several components, the normal takes the
-  /// edges around this component past each other or, where one polygon lies within the other, past the nearest edge.
-  /// That is good for a response that is repeated, not for one step. Where regions only touch, moving b along the
-  /// normal by a little separates them, unless they are wedged or touch at several components. LocalDepth does not
-  /// promise that.
+  /// left out beyond 4096 vertices. Where it ends, with LocalDepth and for several components, moving b along the
+  /// normal by `depth` takes b out of a on every line that runs along the normal through this component; where one
+  /// polygon lies within the other, it takes b past the nearest edge. Into one wall of a room by t that is t along the
+  /// wall's normal, and into both walls of a right-angled corner 1.41 t along the bisector. Such a move is good for a
+  /// response that is repeated, not for one step. Where regions only touch, moving b along the normal by a little
+  /// separates them, unless they are wedged or touch at several components. LocalDepth does not promise that.
   Vec2 normal;
   /// At least 0. For two convex polygons it is as precise as coordinates are, however short their edges. It is 0 where
   /// regions only touch, and may be 0 where the overlap is thinner than the rounding of coordinates, as for regions
@@ -102,7 +105,7 @@ struct Contact {
   EdgeIndex edge_b;  ///< The edge of b that separates last. -1 where this component lies inside b, away from its edges.
   /// Two points where edge_a and edge_b, with the edges that go straight on from them, face each other along an
   /// interval within the depth: the ends of that interval, the deeper one first, each with the depth along the normal
-  /// there, and between the two edges as `point` is. A crate that rests on a floor has them at its corners: a physics
+  /// there. The first has the contact's depth. A crate that rests on a floor has them at its corners: a physics
   /// step, a gripper or a docking check needs both. Otherwise, as for a corner on an edge or with Points, one: `point`
   /// and `depth`.
   std::array<ContactPoint, 2> points;

@@ -12,13 +12,6 @@
 namespace tricover::detail {
 namespace {
 
-/// One side's edge that two points are on; -1 if there is none.
-std::ptrdiff_t common(const BoundaryPoint& p, const BoundaryPoint& q, int side) {
-  for (const std::ptrdiff_t edge : {p.edge[side], p.before[side]})
-    if (edge >= 0 && (edge == q.edge[side] || edge == q.before[side])) return edge;
-  return -1;
-}
-
 double angleOf(const Vec2& d) { return std::atan2(d.y(), d.x()); }
 
 }  // namespace
@@ -44,16 +37,9 @@ std::size_t longestStretch(const WorldFrame& frame, const std::vector<EdgeCrossi
 Exit ComponentExits::exitOf(const OverlapComponent& component) {
   if (component.crossings.empty()) return byNearestEdge(component);
   if (!component.inner) return ofTouch(component);
-  const Exit exit = byFaces(component);
+  const Exit exit = byOutlines(component);
   // All of it may be one rounded point.
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
-}
-
-/// Among translations that are equally long but for rounding, the one that leads b's origin away from a's is better.
-bool ComponentExits::isBetter(const Exit& exit, const Exit& best) const {
-  const double error = 4 * frame_.error();
-  return exit.depth < best.depth - error ||
-         (exit.depth <= best.depth + error && exit.normal.dot(towards_b_) > best.normal.dot(towards_b_));
 }
 
 std::ptrdiff_t ComponentExits::flatter(int side, const BoundaryPoint& p, const Vec2& normal) const {
@@ -76,48 +62,35 @@ Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const Separ
   return exit;
 }
 
-/// The hull of the component and of one side's edges that cross there.
-Hull ComponentExits::grownHull(const OverlapComponent& component, int side) const {
-  const PolygonData& polygon = polygonOf(pair_, side);
-  const auto forEachEnd = [&](auto visit) {
-    for (const std::size_t k : component.crossings) {
-      const std::size_t edge = crossings_[k].edge[side];
-      for (const std::size_t v : {edge, edgeAfter(polygon, edge)}) visit(v, frame_.from(side, polygon.path[v]));
-    }
+/// The edge that separates last by a piece: at the end that does, the flatter one there.
+std::ptrdiff_t ComponentExits::edgeOf(const OutlinePiece& piece, const Vec2& normal) const {
+  const double up = (piece.side == 0 ? 1 : -1) * normal.dot(piece.way());
+  if (std::abs(up) <= ExitLength::kSameAngle * piece.way().norm()) return piece.position;
+  const PolygonData& polygon = polygonOf(pair_, piece.side);
+  const auto edge = static_cast<std::size_t>(piece.position);
+  const std::size_t end = up > 0 ? edgeAfter(polygon, edge) : edge;
+  return flatter(piece.side, vertexPoint(polygon, piece.side, end, up > 0 ? piece.edge.w : piece.edge.v), normal);
+}
+
+/// The shortest translation by which b leaves a on every line through the component.
+Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
+  // No line leaves a complement where none of its edges does: that is to be longer than any other exit.
+  const double both = (pair_.a.radius + pair_.b.radius) / frame_.unit();
+  const auto discOf = [&](const PolygonData& polygon, const Vec2& centre) {
+    return ExitLength::Disc{centre, polygon.radius / frame_.unit() + (polygon.fill.is_complement ? 4 * both : 0)};
   };
-  Hull grown = hull_;
-  if (grown.size() > 2)
-    forEachEnd([&](std::size_t v, const Vec2& at) {
-      addToHull(grown, at, [&] { return vertexPoint(polygon, side, v, at); });
-    });
-  if (turnsLeft(grown)) return grown;
-  grown = hull_;
-  forEachEnd([&](std::size_t v, const Vec2& at) { grown.push_back(vertexPoint(polygon, side, v, at)); });
-  return detail::hullOf(std::move(grown));
-}
-
-/// The least deep face, among those that are edges or among the others.
-ComponentExits::Found ComponentExits::leastFace(bool is_edge) const {
-  Found best;
-  for (const int side : {0, 1})
-    forEachFace(
-        grown_[side], grown_[1 - side], [&](auto& from, auto& to) { return (common(from, to, side) >= 0) == is_edge; },
-        [&](auto& from, auto& to, const Vec2& normal, double depth, auto& deepest) {
-          const Exit exit{side == 0 ? normal : Vec2(-normal), depth, {-1, -1}, side};
-          if (isBetter(exit, best.exit)) best = {exit, &from, &to, &deepest};
-        });
-  return best;
-}
-
-/// By the faces of both hulls that are edges, or by any faces if none is.
-Exit ComponentExits::byFaces(const OverlapComponent& component) {
-  for (const int side : {0, 1}) grown_[side] = grownHull(component, side);
-  Found found = leastFace(true);
-  if (!(found.exit.depth < std::numeric_limits<double>::infinity())) found = leastFace(false);
-  Exit& exit = found.exit;
+  const ExitLength::Disc a = discOf(pair_.a, frame_.originOfA()), b = discOf(pair_.b, Vec2::Zero());
+  OutlineExit shortest = shortestExit(component.pieces, a, b, frame_.error());
+  std::vector<OutlinePiece> pieces;
+  if (shortest.is_doubtful) {
+    pieces = component.pieces;
+    pieces.insert(pieces.end(), component.around.begin(), component.around.end());
+    shortest = shortestExit(pieces, a, b, frame_.error());
+  }
+  Exit exit{shortest.normal, shortest.length, {-1, -1}, shortest.of_a ? 0 : 1};
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
-  exit.edges[exit.face] = common(*found.from, *found.to, exit.face);
-  exit.edges[1 - exit.face] = flatter(1 - exit.face, *found.deepest, exit.normal);
+  for (const OutlinePiece* piece : {shortest.found.top, shortest.found.bottom})
+    if (piece != nullptr) exit.edges[piece->side] = edgeOf(*piece, exit.normal);
   completeEdges(component, exit);
   return exit;
 }

@@ -5,8 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "contact/hull_faces.h"
+#include "contact/component_hull.h"
 #include "contact/overlap_components.h"
+#include "contact/shortest_exit.h"
 #include "penetration/separating_axes.h"
 
 namespace tricover::detail {
@@ -45,15 +46,9 @@ class ComponentExits {
   Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
 
  private:
-  struct Found {
-    Exit exit;
-    const BoundaryPoint *from = nullptr, *to = nullptr, *deepest = nullptr;  ///< the face, and what is behind it
-  };
-  bool isBetter(const Exit& exit, const Exit& best) const;
   std::ptrdiff_t flatter(int side, const BoundaryPoint& p, const Vec2& normal) const;
-  Hull grownHull(const OverlapComponent& component, int side) const;
-  Found leastFace(bool is_edge) const;
-  Exit byFaces(const OverlapComponent& component);
+  std::ptrdiff_t edgeOf(const OutlinePiece& piece, const Vec2& normal) const;
+  Exit byOutlines(const OverlapComponent& component) const;
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;
   Vec2 normalOfTouch(const OverlapComponent& component, const EdgeCrossing& main) const;
@@ -65,7 +60,7 @@ class ComponentExits {
   const WorldFrame& frame_;
   const std::vector<EdgeCrossing>& crossings_;
   Vec2 towards_b_;
-  Hull hull_, grown_[2];
+  Hull hull_;
 };
 
 }  // namespace tricover::detail

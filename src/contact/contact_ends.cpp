@@ -27,12 +27,15 @@ std::optional<std::array<ContactEnd, 2>> contactEnds(const Slope& lower, const S
     if (!(own >= -error && own <= depth + error)) return {};
     ends[k] = {place, height, std::clamp(own, 0.0, depth)};
   }
+  // Where neither end is as deep as the contact, its depth is due to other edges.
+  if (!(std::max(ends[0].depth, ends[1].depth) >= depth * (1 - 1e-9) - 4 * error)) return {};
   // How far the contact's point, which is at height 0, is from the upper piece to the lower one.
   const double t = std::clamp(-low / (high - low), 0.0, 1.0);
   const double gap = gaps[0] + t * (gaps[1] - gaps[0]), height = ends[0].height + t * (ends[1].height - ends[0].height);
-  const double share = gap != 0 ? std::clamp(-height / gap, 0.0, 1.0) : 0.5;
-  for (std::size_t k = 0; k < 2; ++k) ends[k].height += share * gaps[k];
+  const double share = gap > 0 ? std::clamp(-height / gap, 0.0, 1.0) : 0.5;
+  for (std::size_t k = 0; k < 2; ++k) ends[k].height += (gaps[k] > 0 ? share : 0.5) * gaps[k];
   if (ends[0].depth < ends[1].depth) std::swap(ends[0], ends[1]);
+  ends[0].depth = depth;
   return ends;
 }
 

@@ -42,8 +42,9 @@ struct Slope {
 
 /// The incident edge, clipped to the face: the ends of the interval where two pieces face each other and overlap by no
 /// more than the depth, the deeper one first, from the contact's point. The normal leads from the lower piece to the
-/// upper one. Both ends are between the two by the same share as that point. Nothing if the interval is a point, or an
-/// end of it isn't in contact. `depth` is with the margin, and lengths are off by `error`.
+/// upper one. Both ends are between the two by the same share as that point, and in the middle where only the margin
+/// makes the pieces overlap. Nothing if the interval is a point, an end of it isn't in contact, or neither is as deep
+/// as the contact. `depth` is with the margin, and lengths are off by `error`.
 struct ContactEnd {
   double place, height, depth;
 };

@@ -140,8 +140,88 @@ class Grouping : OverlapArcs {
       OverlapComponent& component = components[nodes_[arc.node].component];
       if (wants_all || component.crossings.empty()) addVertices(arc, component.points);
     }
-    if (wants_all) lookInside(components);
+    if (!wants_all) return components;
+    lookInside(components);
+    for (const int side : {0, 1}) addPieces(side, components);
+    addCommonPieces(components);
     return components;
+  }
+
+  /// Of one side's edges, from stop to stop.
+  void addPieces(int side, std::vector<OverlapComponent>& components) const {
+    const Side& own = sides_[side];
+    for (std::size_t r = 0; r < own.polygon.ringCount(); ++r) {
+      const Side::RingStops& ring = own.rings[r];
+      const std::size_t begin = own.polygon.edgeBegin(r), end = own.polygon.edgeEnd(r);
+      if (ring.node >= 0)
+        for (std::size_t e = begin; e < end; ++e)
+          addPiece(side, e, {0, 1}, nodes_[static_cast<std::size_t>(ring.node)].component, components);
+      double reach = 0;  // stops may be within others
+      for (std::size_t k = ring.begin; ring.node < 0 && k < ring.end; ++k) {
+        const Stop &stop = own.stops[k], &next = own.stops[k + 1 < ring.end ? k + 1 : ring.begin];
+        const bool is_same_edge = k > ring.begin && own.stops[k - 1].edge == stop.edge;
+        reach = is_same_edge ? std::max(reach, stop.span.high) : stop.span.high;
+        if (!stop.joined) continue;
+        const std::size_t component = nodes_[stop.node].component;
+        if (!own.stops[k > ring.begin ? k - 1 : ring.end - 1].joined)
+          addPiece(side, edgeBefore(own.polygon, stop.edge), {0, 0}, component, components);
+        if (!next.joined) addPiece(side, edgeAfter(own.polygon, next.edge), {0, 0}, component, components);
+        if (stop.edge == next.edge && k + 1 < ring.end) {
+          addPiece(side, stop.edge, {reach, next.span.low}, component, components);
+          continue;
+        }
+        addPiece(side, stop.edge, {reach, 1}, component, components);
+        const auto after = [&](std::size_t e) { return e + 1 < end ? e + 1 : begin; };
+        for (std::size_t e = after(stop.edge); e != next.edge; e = after(e))
+          addPiece(side, e, {0, 1}, component, components);
+        addPiece(side, next.edge, {0, next.span.low}, component, components);
+      }
+    }
+  }
+
+  /// Of edges that lie on each other, with both regions on the same side.
+  void addCommonPieces(std::vector<OverlapComponent>& components) const {
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      const EdgeCrossing& c = crossings_[k];
+      OutlinePiece pieces[2];
+      if (!makePiece(0, c.edge[0], c.on[0], pieces[0]) || !makePiece(1, c.edge[1], c.on[1], pieces[1])) continue;
+      const bool alike = pieces[0].way().dot(pieces[1].way()) > 0;
+      const auto share = [&](bool left_of_a) {
+        return left_of_a ? pieces[0].left && (alike ? pieces[1].left : pieces[1].right)
+                         : pieces[0].right && (alike ? pieces[1].right : pieces[1].left);
+      };
+      if (!share(true) && !share(false)) continue;
+      std::vector<OutlinePiece>& own = components[nodes_[k].component].pieces;
+      own.insert(own.end(), {pieces[0], pieces[1]});
+    }
+  }
+
+  void addPiece(int side, std::size_t edge, const Span& on, std::size_t component,
+                std::vector<OverlapComponent>& components) const {
+    if (component == kNone || components[component].crossings.empty()) return;
+    OutlinePiece piece;
+    if (!makePiece(side, edge, on, piece)) return;
+    (on.high > on.low ? components[component].pieces : components[component].around).push_back(piece);
+  }
+
+  /// False if it is no longer than rounding.
+  bool makePiece(int side, std::size_t edge, const Span& on, OutlinePiece& piece) const {
+    const Ends all = ends(side, edge);
+    piece = {all, on, side, static_cast<std::int32_t>(edge), false, false};
+    const double length = on.high > 0 ? piece.length() : piece.way().norm();
+    if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
+    const PolygonData& polygon = sides_[side].polygon;
+    const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
+    if (region != 0) {
+      piece.left = (region > 0) != isMirrored(poseOf(pair_, side));
+      piece.right = !piece.left;
+      return true;
+    }
+    const Vec2 way = piece.way(), beside = 8 * frame_.error() * Vec2(-way.y(), way.x()).normalized();
+    const Vec2 at = all.v + somewhere(on) * way;
+    piece.left = holds(side, at + beside);
+    piece.right = holds(side, at - beside);
+    return true;
   }
 
   /// How many there are; their nodes know theirs.

@@ -6,6 +6,7 @@
 
 #include "contact/boundary_point.h"
 #include "contact/crossings.h"
+#include "contact/exit_length.h"
 #include "pair/world_frame.h"
 #include "tricover/contacts.h"
 
@@ -15,6 +16,8 @@ namespace tricover::detail {
 struct OverlapComponent {
   std::vector<BoundaryPoint> points;   ///< crossings, and vertices inside the other region
   std::vector<std::size_t> crossings;  ///< by their indices; none in a containment
+  std::vector<OutlinePiece> pieces;    ///< of its outline, where it has crossings
+  std::vector<OutlinePiece> around;    ///< the edges before and after those: pieces without length
   bool inner = false;                  ///< it has an interior, but for rounding: they do more than touch
   Vec2 facing = Vec2::Zero();          ///< where they touch along edges: the sum of these, rotated to point from a to b
 };

@@ -57,15 +57,7 @@ std::string wrongDetail(Random& random, const Case& c, const std::vector<Contact
   if (!wrong_points.empty()) return wrong_points;
   const std::string wrong = wrongContacts(random, c, local) + wrongEdges(c, local, !pairs.empty());
   if (!wrong.empty()) return wrong + ", local";
-  const double error = 4 * rounding(c);
-  if (local.size() != 1 || !(local[0].depth > 1e3 * error && std::isfinite(local[0].depth + 1e3 * error))) return {};
-  // What crosses now doesn't when b has gone its way out of this part.
-  Case moved = c;
-  moved.pose_b.translation() += (local[0].depth * (1 + 1e-9) + error) * local[0].normal;
-  const Pairs left = exact::meetingEdges(moved.a, moved.pose_a, moved.b, moved.pose_b);
-  return std::find_first_of(pairs.begin(), pairs.end(), left.begin(), left.end()) == pairs.end()
-             ? ""
-             : "edges that still cross beyond the local depth";
+  return wrongLocalDepths(c, local);
 }
 
 std::string wrongWay(Random& random, const Case& c, bool truth) {

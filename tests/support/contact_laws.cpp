@@ -11,6 +11,7 @@
 #include "reproduction.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
+#include "tricover/ray.h"
 
 namespace tricover::support {
 namespace {
@@ -137,6 +138,37 @@ std::string wrongContactsWithMargin(const Case& c, double margin) {
   const double apart = nearest.distance;
   const bool is_normal = ((nearest.point_b - nearest.point_a) / apart - found[0].normal).norm() <= 1e-5;
   return apart < 1e6 * error || is_normal ? "" : "the normal" + with;
+}
+
+std::string wrongLocalDepths(const Case& c, const std::vector<Contact>& found) {
+  for (const Contact& contact : found) {
+    if (!(contact.depth > 1e3 * rounding(c) && contact.depth < 1e100)) continue;
+    // From the point to either side: as far as both regions hold the way.
+    double length = 0;
+    for (const double sign : {1.0, -1.0}) {
+      const Vec2 to = contact.point + 2 * sign * contact.depth * contact.normal;
+      double share = 1;
+      for (const auto& [polygon, pose] : {std::pair(&c.a, &c.pose_a), std::pair(&c.b, &c.pose_b)}) {
+        const std::vector<RayInterval> held = castRayAll(*polygon, *pose, contact.point, to);
+        share = std::min(share, held.empty() || held[0].begin.fraction > 0 ? 0 : held[0].end.fraction);
+      }
+      length += share * 2 * contact.depth;
+    }
+    if (length > contact.depth * (1 + 1e-9) + 16 * rounding(c)) return "a local depth below the component's width";
+  }
+  return {};
+}
+
+int pushesUntilFree(Case c, int most) {
+  for (int count = 0; count <= most; ++count) {
+    ContactOptions options;
+    options.detail = ContactDetail::LocalDepth;
+    options.touching = Touching::Allowed;
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, options);
+    if (found.empty() || found[0].depth <= 16 * rounding(c)) return count;
+    c.pose_b.translation() += (found[0].depth * (1 + 1e-9) + 16 * rounding(c)) * found[0].normal;
+  }
+  return most + 1;
 }
 
 bool isCommon(const Case& c, const Contact& contact) {

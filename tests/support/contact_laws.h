@@ -30,6 +30,14 @@ std::string wrongContactsWithMargin(const Case& c, double margin);
 /// What is wrong with the depth and normal of the contact of two strictly convex polygons; empty if nothing is.
 std::string wrongConvexContact(const Case& c, const Contact& contact);
 
+/// A local depth is at least what the overlap has of the line along the normal through the contact's point. Empty if it
+/// is.
+std::string wrongLocalDepths(const Case& c, const std::vector<Contact>& found);
+
+/// Pushes b by the deepest contact's local depth, again and again, until no interiors meet. Returns after how many
+/// pushes that is, or `most` + 1.
+int pushesUntilFree(Case c, int most);
+
 /// The point lies in both regions.
 bool isCommon(const Case& c, const Contact& contact);
 

@@ -166,5 +166,49 @@ TEST(ContactEnds, OfTeethAreAsFarApartAsTheyAreWide) {
   }
 }
 
+/// Within a margin, far from the world's origin: where the pair is on the plane doesn't matter.
+TEST(ContactEnds, WithinAMarginAreTheSameFarFromTheOrigin) {
+  const Polygon rack({rectangle(-0.5, -0.5, 0.5, 0.5)}), crate({rectangle(-0.4, -0.5, 0.4, 0.5)});
+  const Polygon notched({{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.4, 0}}});
+  for (const Polygon& below : {rack, notched})
+    for (const double x : {0.0, 300.0, 1e3, 1e5})
+      for (const double gap : {0.01, 0.005}) {
+        const auto found = contacts(below, pose(0, x, 0), crate, pose(0, x, 1 + gap), {0.02});
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0].edge_a, 2) << x;
+        EXPECT_EQ(found[0].edge_b, 0) << x;
+        expectEnds(found[0], {{x - 0.4, 0.5 + gap / 2}, 0.02 - gap}, {{x + 0.4, 0.5 + gap / 2}, 0.02 - gap}, 1e-10);
+      }
+}
+
+/// The deepest contact is the first, and the deeper one of its ends is as deep.
+TEST(ContactEnds, HaveTheDepthOfTheirComponent) {
+  const Polygon u({{{-2, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {-1, 1}, {-1, 2}, {-2, 2}}});
+  const Polygon through({{{-1.25, 0.5}, {-1, 1.25}, {1, 1}, {2, 1.25}}});
+  int two = 0, one = 0;
+  for (const ContactDetail detail : kDetails)
+    for (int i = 0; i < 600; ++i) {
+      const Pose there = i == 0 ? kHere : pose(0.37 * i, std::cos(0.71 * i), 1 + std::sin(0.53 * i));
+      const std::vector<Contact> found = contacts(u, kHere, i % 2 == 0 ? through : kCrate, there, with(detail));
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_EQ(found[k].points[0].depth, found[k].depth) << i;
+        EXPECT_LE(found[k].depth, found[0].depth);
+        ++(found[k].count == 2 ? two : one);
+      }
+    }
+  EXPECT_GE(two, 100);
+  EXPECT_GE(one, 100);
+}
+
+/// Where only the margin makes the two overlap, the end is in the middle. The other one is the tip, as the point is.
+TEST(ContactEnds, WithAMarginAreInTheMiddleOfAGap) {
+  const Polygon box({rectangle(-1, -1, 1, 1)}), triangle({{{0.15, 1.15}, {-0.35, 0.35}, {0.45, -0.3}}});
+  const Contact contact = only(box, triangle, pose(0, -0.6, 0.95), with(ContactDetail::GlobalDepth, 0.3));
+  ASSERT_EQ(contact.count, 2u);
+  EXPECT_NEAR(contact.depth, 0.65, 1e-14);
+  EXPECT_LE((contact.points[0].point - Vec2(-0.15, 0.65)).norm(), 1e-12);
+  EXPECT_LE((contact.points[1].point - Vec2(-0.95, 1.15)).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace tricover::support

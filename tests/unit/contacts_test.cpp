@@ -51,8 +51,8 @@ TEST(Contacts, OfTeethThroughAThinBarPullThemOut) {
   const auto found = ask({rectangle(-10, 1, 100, 2)}, {comb(4, 3, 1, 5)});
   ASSERT_EQ(found.size(), 4u);
   for (const Contact& contact : found) {
-    EXPECT_NEAR(contact.depth, 2, 1e-12);  // the other way it would be 4
-    EXPECT_LE((contact.normal - Vec2(0, 1)).norm(), 1e-9);
+    EXPECT_NEAR(contact.depth, 4, 1e-12);  // the other way the comb's back would be in the bar
+    EXPECT_LE((contact.normal - Vec2(0, -1)).norm(), 1e-9);
     EXPECT_NEAR(contact.point.y(), 1.5, 1e-12);
   }
 }

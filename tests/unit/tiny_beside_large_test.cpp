@@ -253,26 +253,6 @@ TEST(Contacts, OfAFlatTriangleAreOnIt) {
   EXPECT_TRUE(isCommon(c, found[0]));
 }
 
-/// Corners that lie on each other but for rounding: a hull that is grown by them is bent.
-TEST(Contacts, OfRingsThatLieOnEachOtherTakeTheirEdgesPastEachOther) {
-  const Polygon a({{{-3, -2}, {-1, 0}, {-3, -2}, {-2, -3}},
-                   {{3, 3}, {-3, 3}, {-3, -3}, {3, -3}},
-                   {{-1, 2}, {2, 3}, {-1, 2}, {2, -3}}},
-                  FillRule::NonZero);
-  const Polygon b({{{-3, -2}, {-1, 2}, {1, 2}}, {{-1, 2}, {3, 2}, {3, 2}}});
-  const Pose there = pose(-0x1.791946dc7a4a3p-1, -0x1.5a5307598112p-1, -0x1.f4403f96919e2p+2, 0x1.5a5307598112p-1,
-                          -0x1.791946dc7a4a3p-1, 0x1.d3c146be7e6b8p+2);
-  ContactOptions options;
-  options.detail = ContactDetail::LocalDepth;
-  const std::vector<Contact> found = contacts(a, there, b, there, options);
-  ASSERT_EQ(found.size(), 1u);
-  Pose moved = there;
-  moved.translation() += found[0].depth * (1 + 1e-9) * found[0].normal;
-  for (const Crossing& now : crossings(a, there, b, there))
-    for (const Crossing& then : crossings(a, there, b, moved))
-      EXPECT_FALSE(now.edge_a == then.edge_a && now.edge_b == then.edge_b) << now.edge_a << " " << now.edge_b;
-}
-
 /// A point at the outline of a tiny polygon at the frame's origin, itself far from its own: its translation is rounded
 /// by more than all other coordinates.
 Case farPointOnTinyPolygon(Random& random) {

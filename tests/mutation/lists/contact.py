@@ -35,7 +35,7 @@ MUTATIONS = [
     ("src/contact/component_contacts.cpp", "if (way && way->optimal) result.normal = way->translation.stableNormalized();", "", "contacts: what no direction frees keeps a normal that leads on"),
     ("src/contact/contact_ends.cpp", "if (ends[0].depth < ends[1].depth) std::swap", "if (ends[0].depth > ends[1].depth) std::swap", "contact ends: the deeper first"),
     ("src/contact/contact_ends.cpp", "if (!(own >= -error && own <= depth + error)) return {};", "if (!(own <= depth + error)) return {};", "contact ends: one that is apart"),
-    ("src/contact/contact_ends.cpp", "ends[k].height += share * gaps[k];", "ends[k].height += 0.5 * gaps[k];", "contact ends: between the pieces as the point is"),
+    ("src/contact/contact_ends.cpp", "(gaps[k] > 0 ? share : 0.5) * gaps[k];", "0.5 * gaps[k];", "contact ends: between the pieces as the point is"),
     ("src/contact/contact_ends.cpp", "const double own = gaps[k] + margin;", "const double own = gaps[k];", "contact ends: inflated by the margin"),
     ("src/contact/contact_ends.cpp", "piece.w = at(e + 1);", "break;", "contact ends: on along straight edges"),
     ("src/contact/contact_ends.cpp", "? place < extent.high : place > extent.low;", "? place > extent.low : place < extent.high;", "contact ends: to the far end of the extent"),
@@ -59,5 +59,4 @@ MUTATIONS = [
     ("src/contact/component_contacts.cpp", "polygonOf(pair_, side).edgeName(static_cast<std::size_t>(edge));", "static_cast<std::ptrdiff_t>(polygonOf(pair_, side).edgeNumber(static_cast<std::size_t>(edge)));", "contacts name edges without length"),
     ("src/contact/prepare.cpp", "detail::regionSidesOf(data);", "", "prepare() leaves to a later query what it is for"),
     ("src/penetration/penetration.cpp", "if (off(beside) <= on) return beside;", "", "convex penetration: a corner beside a face that goes on nearly straight"),
-    ("src/contact/component_exit.cpp", "if (turnsLeft(grown)) return grown;", "if (grown.size() > 2) return grown;", "contacts: hulls that rounding bends"),
 ]
