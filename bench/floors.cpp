@@ -286,6 +286,11 @@ std::vector<Floor> allFloors() {
       atMost({"a cache beside none, locate", without, "8.6", 1.15, cache("locate")}),
       atMost({"contact points", "points / crossings", "1.95", 2.5, details("points")}),
       atMost({"contact points with local depths", "local depths / crossings", "3.9", 7, details("local depths")}),
+      atMost({"how deep a point is", "depth / crossings", "", 4, details("depth")}),
+      atMost({"a smaller overlap is allowed", "collide / crossings", "", 4, details("a smaller overlap allowed")}),
+      atMost({"a larger overlap is allowed", "collide / crossings", "", 4, details("a larger overlap allowed")}),
+      {"Hausdorff distance of contours of 64 and 1,024", "GEOS's discrete one, densified by 0.01 / core", "", 5,
+       ratios(job("excess"), rival, ours)},
       {"penetration, contours of 64 deep in each other", overlay, "1", 0.4, before(64, 0.50)},
       {"penetration, contours of 512 deep in each other", overlay, "1", 0.4, before(512, 3.35)},
       atMost(

@@ -108,6 +108,10 @@ std::vector<Result> measureLastingContact() {
     Trajectory way_b;
     double margin = 0;
   };
+  const Polygon jaws(
+      {{{-1, 0.4375}, {1, 0.4375}, {1, 0.625}, {-1, 0.625}}, {{-1, -0.625}, {1, -0.625}, {1, -0.4375}, {-1, -0.4375}}}),
+      bar = box(40, 1),
+      comb({{{-2, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.5}, {0, 0.5}, {0, 1}, {-1, 1}, {-1, 0.5}, {-2, 0.5}}});
   std::vector<Result> results;
   for (const Row& r :
        {Row{"a crate slides along a floor", ground, rests, crate, once(from(-5, 1, {10, 0}))},
@@ -122,7 +126,11 @@ std::vector<Result> measureLastingContact() {
         {"a square leaves another one", square, rests, square, once(from(0, 2 - 10 * 0.18, {0, 10}))},
         {"a corner turns, off rigid by 4e-15", post, at_stretched, corner, once(turned(stretched, {0, 1e-9}))},
         {"a corner turns, poses of floats", post, at_rounded, corner, once(turned(rounded, {0, 1e-9}))},
-        {"segments 3.4e-9 apart", rod, at_rounded, rod, once(turned(rounded, {0.25, 3.4e-9}))}}) {
+        {"segments 3.4e-9 apart", rod, at_rounded, rod, once(turned(rounded, {0.25, 3.4e-9}))},
+        {"a crate slides as deep as allowed", ground, rests, crate, once(from(-5, 0.95, {10, 0})), -0.05},
+        {"a comb slides as deep as allowed", ground, rests, comb, once(from(-5, -0.45, {10, 0})), -0.05},
+        {"jaws grip a bar as deep as allowed", bar, rests, jaws, once(from(-9, 0, {18, 0})), -0.0625},
+        {"jaws grip a bar, less deep by 1e-4", bar, rests, jaws, once(from(-9, 0, {18, 0})), -0.0626}}) {
     results.push_back({{"lasting", r.input, "conflicts, and the first impact after contact"}});
     for (const double error : {1e-2, 1e-6, 1e-9, 1e-12}) {
       ImpactOptions options{r.margin, error}, after = options;
