@@ -60,8 +60,8 @@ struct RayInterval {
 /// interval runs along edges and over what touches within the region. A ray of length 0 in the region is one interval
 /// from 0 to 1. Typical cost: O(log n + k log k), where k counts the edges near the ray's line.
 ///
-/// With a margin, each end is as precise as castRay()'s hit. The ray may be outside of the grown region for less than
-/// 1e-9 of its length within an interval.
+/// With a margin, each end is as precise as castRay()'s hit. Two intervals that are less than 1e-9 of the ray apart may
+/// be reported as one.
 ///
 /// \throws std::invalid_argument as castRay() does
 ///

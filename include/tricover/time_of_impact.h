@@ -27,7 +27,9 @@ struct ImpactOptions {
 
 /// The first contact of two motions, in the world.
 struct Impact {
-  double time;  ///< Never later than the first contact, and at most ImpactOptions::time_error earlier.
+  /// Never later than the first contact; earlier by at most ImpactOptions::time_error than the polygons come within the
+  /// precision that timeOfImpact() names.
+  double time;
   /// The middle between the nearest points of the two edges at that time, or a common point of regions that overlap at
   /// time 0.
   Vec2 point;
@@ -62,10 +64,10 @@ struct Impact {
 /// at the time before which contact is excluded, with `budget_ended` set.
 ///
 /// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. The result is
-/// never later than the first time at which the regions are as deep. A stretch of time is free if one polygon has no
-/// contact in it once it is translated by no more than is allowed, or a convex one made smaller by as much; these are
-/// times of impact as above. Where neither is free, as of jaws that grip a bar, the search goes on for as long as the
-/// depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
+/// never later than the first time at which the regions are as deep. No point of a piece of an outline is deep for as
+/// long as the piece, translated by no more than is allowed, has no contact: times of impact as above. Each piece has a
+/// translation of its own, and is halved where it finds none. Where pieces would be short, the search goes on for as
+/// long as the depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
 ///
 /// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
 /// time_error that is negative or not finite

@@ -15,10 +15,10 @@ namespace tricover_fcl {
 /// Describes a shape besides its polygon. Lengths of the shape's own frame; doubles for S = float, too.
 struct PolygonOptions {
   /// Safety distance in the plane: two shapes collide if and only if their heights overlap and their polygons come as
-  /// close as the sum of their margins (rounded to a double) or closer. Distances and depths are those of the polygons
-  /// grown by their margins. A negative sum -e is an overlap that is allowed: shapes collide if some point of either is
-  /// e deep in the other, as CollideOptions::margin says, in collisions and continuous collisions. A distance with
-  /// a negative sum is refused.
+  /// close as the sum of their margins (rounded to a double) or closer. Distances, depths and contacts are those of the
+  /// polygons grown by their margins. A negative sum -e is an overlap that is allowed, in collisions and continuous
+  /// collisions: shapes collide if some point of either is e deep in the other, as CollideOptions::margin says. A
+  /// distance with a negative sum throws std::invalid_argument.
   double margin = 0;
   /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
   /// that turns the shape upside down turns the interval, too.

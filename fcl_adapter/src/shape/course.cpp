@@ -19,6 +19,7 @@
 #include "shape/planar_pose.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/depth.h"
 #include "tricover/distance.h"
 
 namespace tricover_fcl {
@@ -272,16 +273,14 @@ class Gauge {
   }
 
  private:
-  /// Returns a length by which the overlap may certainly grow: a half of it at least, 0 if it is below `least`. The
-  /// depth changes by no more than points move.
-  double allowedDepth(const Pose& pose_a, const Pose& pose_b, double least) {
-    last_ = std::min(-margin_ / 2, 4 * last_);
-    while (last_ > least && tricover::collide(a_, pose_a, b_, pose_b, {margin_ + last_})) last_ /= 2;
-    return last_ > least ? last_ : 0;
+  /// By how much the overlap may grow, 0 if that is below `least`. The depth changes by no more than points move.
+  double allowedDepth(const Pose& pose_a, const Pose& pose_b, double least) const {
+    const double left = -margin_ - tricover::depth(a_, pose_a, b_, pose_b).upper_bound;
+    return left > least ? left : 0;
   }
 
   const Polygon &a_, &b_;
-  double margin_, last_ = std::numeric_limits<double>::max() / 4;
+  double margin_;
   bool has_line_;  ///< by which partedFor() proves something: a complement has no front to overlap with by little
   tricover::PairCache cache_;
 };

@@ -16,8 +16,8 @@ Records::Records(py::module_& m) {
   distance_ = define("Distance", "distance point_a point_b edge_a edge_b");
   penetration_ = define("Penetration", "depth normal lower_bound optimal translation point_a point_b edge_a edge_b");
   contact_ = define("Contact", "point normal depth edge_a edge_b points depths");
-  impact_ = define("Impact", "time point normal edge_a edge_b");
-  conflict_ = define("Conflict", "impact end");
+  impact_ = define("Impact", "time point normal edge_a edge_b budget_ended");
+  conflict_ = define("Conflict", "impact end budget_ended");
   body_options_ = define("BodyOptions", "margin category mask touching");
   ray_hit_ = define("RayHit", "fraction point normal edge");
   ray_interval_ = define("RayInterval", "begin end");
@@ -51,10 +51,10 @@ py::object Records::of(const tricover::Contact& c) const {
 }
 
 py::object Records::of(const tricover::Impact& i) const {
-  return impact_(i.time, arrayOf(i.point), arrayOf(i.normal), i.edge_a, i.edge_b);
+  return impact_(i.time, arrayOf(i.point), arrayOf(i.normal), i.edge_a, i.edge_b, i.budget_ended);
 }
 
-py::object Records::of(const tricover::Conflict& c) const { return conflict_(of(c.impact), c.end); }
+py::object Records::of(const tricover::Conflict& c) const { return conflict_(of(c.impact), c.end, c.budget_ended); }
 
 py::object Records::of(const tricover::BodyOptions& o) const {
   return body_options_(o.margin, o.category, o.mask, o.touching);

@@ -290,6 +290,7 @@ class Pairs(unittest.TestCase):
 
     def test_times_of_impact(self):
         hit = tc.time_of_impact(SQUARE, tc.Motion.still(ORIGIN), SQUARE, tc.Motion.translation((3, 0, 0), (-4, 0)))
+        self.assertIs(hit.budget_ended, False)
         self.assertAlmostEqual(hit.time, 0.5, 5)
         self.assertEqual(hit.edge_a, 1)
         turn = tc.Motion.between((3, 3, 0), (3, 3, 1.0))
@@ -301,6 +302,7 @@ class Pairs(unittest.TestCase):
     def test_conflicts(self):
         still, there_and_back = tc.Motion.still(ORIGIN), tc.Motion.spline((-3, 0, 0), (12, 0, 0), (-3, 0, 0), (-12, 0, 0))
         one, = tc.conflicts(SQUARE, still, SQUARE, there_and_back)
+        self.assertIs(one.budget_ended, False)
         self.assertAlmostEqual(one.impact.time, 1 - one.end, 5)
         leaves = tc.Motion.translation((0.5, 0, 0), (9, 0))
         self.assertEqual(tc.time_of_impact(SQUARE, still, SQUARE, leaves).time, 0)

@@ -179,11 +179,14 @@ class Impact(NamedTuple):
     normal: NDArray[np.float64]
     edge_a: int
     edge_b: int
+    budget_ended: bool
+    """Whether the search ended early: before `time` the polygons are apart, whether they meet then is unknown."""
 
 class Conflict(NamedTuple):
     """A span of time in which two bodies meet: from impact.time to end."""
     impact: Impact
     end: float
+    budget_ended: bool
 
 class BodyOptions(NamedTuple):
     margin: float
