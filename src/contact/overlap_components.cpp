@@ -19,8 +19,9 @@ class Grouping : OverlapArcs {
   std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
     std::size_t count = numberComponents();
-    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join.
-    if (count > 1 && (meetsItself(pair_.a) || meetsItself(pair_.b))) {
+    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join, or to the sides
+    // of pieces, which change there.
+    if ((count > 1 || detail != ContactDetail::Points) && (meetsItself(pair_.a) || meetsItself(pair_.b))) {
       join(true);
       count = numberComponents();
     }
@@ -179,21 +180,53 @@ class Grouping : OverlapArcs {
     }
   }
 
-  /// Of edges that lie on each other, with both regions on the same side.
+  /// Of edges that lie on each other, with both regions on the same side: cut where polygons meet themselves.
   void addCommonPieces(std::vector<OverlapComponent>& components) const {
+    std::vector<double> cuts;
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       const EdgeCrossing& c = crossings_[k];
-      OutlinePiece pieces[2];
-      if (!makePiece(0, c.edge[0], c.on[0], pieces[0]) || !makePiece(1, c.edge[1], c.on[1], pieces[1])) continue;
-      const bool alike = pieces[0].way().dot(pieces[1].way()) > 0;
-      const auto share = [&](bool left_of_a) {
-        return left_of_a ? pieces[0].left && (alike ? pieces[1].left : pieces[1].right)
-                         : pieces[0].right && (alike ? pieces[1].right : pieces[1].left);
-      };
-      if (!share(true) && !share(false)) continue;
-      std::vector<OutlinePiece>& own = components[nodes_[k].component].pieces;
-      own.insert(own.end(), {pieces[0], pieces[1]});
+      cuts = {0, 1};
+      for (const int side : {0, 1}) addCuts(side, c, cuts);
+      std::sort(cuts.begin(), cuts.end());
+      for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+        addCommonPiece(c, cuts[i], cuts[i + 1], components[nodes_[k].component].pieces);
     }
+  }
+
+  /// The shares of a stretch that two edges have in common, seen along a's, where one side's edge has stops.
+  void addCuts(int side, const EdgeCrossing& c, std::vector<double>& cuts) const {
+    const auto& stops = sides_[side].stops;
+    const double length = c.on[side].high - c.on[side].low;
+    if (!(length > 0)) return;
+    const bool alike = side == 0 || runsAlike(c);
+    const auto first = std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < c.edge[side]; });
+    for (auto stop = first; stop != stops.end() && stop->edge == c.edge[side]; ++stop)
+      for (const double at : {stop->span.low, stop->span.high}) {
+        const double share = (at - c.on[side].low) / length;
+        if (0 < share && share < 1) cuts.push_back(alike ? share : 1 - share);
+      }
+  }
+
+  bool runsAlike(const EdgeCrossing& c) const {
+    const Ends a = ends(0, c.edge[0]), b = ends(1, c.edge[1]);
+    return (a.w - a.v).dot(b.w - b.v) > 0;
+  }
+
+  void addCommonPiece(const EdgeCrossing& c, double from, double to, std::vector<OutlinePiece>& common) const {
+    const auto partOf = [&](int side) {
+      const auto [low, high] = c.on[side];
+      const bool alike = side == 0 || runsAlike(c);
+      return Span{low + (alike ? from : 1 - to) * (high - low), low + (alike ? to : 1 - from) * (high - low)};
+    };
+    OutlinePiece pieces[2];
+    for (const int side : {0, 1})
+      if (!makePiece(side, c.edge[side], partOf(side), pieces[side])) return;
+    const bool alike = runsAlike(c);
+    const auto share = [&](bool left_of_a) {
+      return left_of_a ? pieces[0].left && (alike ? pieces[1].left : pieces[1].right)
+                       : pieces[0].right && (alike ? pieces[1].right : pieces[1].left);
+    };
+    if (share(true) || share(false)) common.insert(common.end(), {pieces[0], pieces[1]});
   }
 
   void addPiece(int side, std::size_t edge, const Span& on, std::size_t component,
