@@ -156,15 +156,15 @@ class ContactFinder {
     return parts(exit.depth, normal) && parts(exit.depth, normal + aside) && parts(exit.depth, normal - aside);
   }
 
-  /// Leaves out the components that have no interior.
+  /// Leaves out the components that no point of is in the interior of either region.
   void leaveTouches(std::vector<OverlapComponent>& components) const {
     InnerCrossings inner(pair_, crossings_);
     const auto isTouch = [&](const OverlapComponent& component) {
       for (const std::size_t k : component.crossings)
-        if (inner.has(crossings_[k])) return false;
+        if (inner.meetAt(crossings_[k])) return false;
       // One region within the other, or led to its interior by edges that have none.
       return std::none_of(component.points.begin(), component.points.end(),
-                          [&](const BoundaryPoint& p) { return inner.hasBeside(p); });
+                          [&](const BoundaryPoint& p) { return inner.meetBeside(p); });
     };
     components.erase(std::remove_if(components.begin(), components.end(), isTouch), components.end());
   }

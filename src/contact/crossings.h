@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "contact/boundary_point.h"
 #include "pair/edge_sides.h"
 #include "pair/world_frame.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 
@@ -33,7 +35,7 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
 /// All pairs of edges that share a point, exactly.
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
 
-/// Where the outline of the overlap of the interiors is: see CrossingOptions::touching. Each edge is looked at once.
+/// Where the outline of the overlap of the interiors is: see CrossingOptions::touching and Touching. Each edge is looked at once.
 class InnerCrossings {
  public:
   /// crossings: all of the pair's.
@@ -50,19 +52,38 @@ class InnerCrossings {
     return crossAlone(pair_, c.edge[0], c.edge[1]) || sides_.of(EdgeSides::A, c.edge[0]).bordersBothAt(c.edge[1]) ||
            sides_.of(EdgeSides::B, c.edge[1]).bordersBothAt(c.edge[0]);
   }
-  /// Whether it is at a vertex inside the other region, or along its edges as far as they lead without meeting the
-  /// other polygon's edges.
-  bool hasBeside(const BoundaryPoint& vertex) {
-    return (vertex.edge[1] < 0 && hasBeside(EdgeSides::A, vertex.edge[0], vertex.before[0])) ||
-           (vertex.edge[0] < 0 && hasBeside(EdgeSides::B, vertex.edge[1], vertex.before[1]));
+  /// Whether it is, or a point of either region in the interior of the other one.
+  bool meetAt(const EdgeCrossing& c) {
+    return has(c) || isInOtherAt(EdgeSides::A, c.edge[0], c.edge[1]) || isInOtherAt(EdgeSides::B, c.edge[1], c.edge[0]);
+  }
+  /// The same of a vertex inside the other region, and along its edges as far as they lead without meeting the other
+  /// polygon's edges.
+  bool meetBeside(const BoundaryPoint& vertex) {
+    return (vertex.edge[1] < 0 && meetBeside(EdgeSides::A, vertex.edge[0], vertex.before[0])) ||
+           (vertex.edge[0] < 0 && meetBeside(EdgeSides::B, vertex.edge[1], vertex.before[1]));
   }
 
  private:
-  bool hasBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
-    const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
-    return sides_.of(operand, edge).bordersBothUntil(met_[operand][edge], 1) ||
-           sides_.of(operand, last).bordersBothUntil(met_[operand][last], -1);
+  bool isInOtherAt(EdgeSides::Operand operand, std::size_t edge, std::size_t at) {
+    if (const auto point = pointInOther(operand, edge)) return *point;
+    return sides_.of(operand, edge).isInOtherAt(at);
   }
+  bool meetBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
+    const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
+    if (const auto point = pointInOther(operand, edge)) return *point;
+    const auto isAlong = [&](std::size_t e, int side) {
+      const EdgeSides& sides = sides_.of(operand, e);
+      return sides.bordersBothUntil(met_[operand][e], side) || sides.isInOtherUntil(met_[operand][e], side);
+    };
+    return isAlong(edge, 1) || isAlong(last, -1);
+  }
+  /// Of a ring that is a point, whether that is inside of the other region.
+  std::optional<bool> pointInOther(EdgeSides::Operand operand, std::size_t edge) const {
+    const PosedPair other = operand == EdgeSides::A ? pair_.back() : pair_;
+    if (!beginsPoint(other.b, edge)) return {};
+    return locateInA(other, other.b.path[edge]) == Location::Inside;
+  }
+
   const PosedPair& pair_;
   std::map<std::size_t, std::vector<std::size_t>> met_[2];  ///< by edge: the other polygon's edges that it meets
   KnownSides sides_;

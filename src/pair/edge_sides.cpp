@@ -252,7 +252,7 @@ void EdgeSides::look(std::size_t piece) {
   const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
   if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)
     sought_.push_back(piece);
-  is_in_other_ |= inside && (operand_ == A ? others.left && others.right : first.left && first.right);
+  if (inside && (operand_ == A ? others.left && others.right : first.left && first.right)) in_other_.push_back(piece);
   if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
   is_bare_ |= is_bare;
   (own.left != own.right ? is_border_ : is_seam_) = true;
@@ -318,15 +318,15 @@ bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
   return sign(v_, w_, q) != 0 || sign(v_, w_, r) != 0 ? isThere(q, r) : isThere(q, q) && isThere(r, r);
 }
 
-bool EdgeSides::bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
-  return std::any_of(sought_.begin(), sought_.end(), [&](std::size_t piece) {
+bool EdgeSides::isAnyUntil(const std::vector<std::size_t>& pieces, const std::vector<std::size_t>& edges, int side) const {
+  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
     const Cut& cut = cuts_[side > 0 ? piece : piece + 1];
     return std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, cut, -side); });
   });
 }
 
-bool EdgeSides::bordersBothAt(std::size_t edge) const {
-  return std::any_of(sought_.begin(), sought_.end(), [&](std::size_t piece) {
+bool EdgeSides::isAnyAt(const std::vector<std::size_t>& pieces, std::size_t edge) const {
+  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
     return !isBeyond(edge, cuts_[piece], -1) && !isBeyond(edge, cuts_[piece + 1], 1);
   });
 }

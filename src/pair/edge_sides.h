@@ -70,18 +70,20 @@ class EdgeSides {
   bool hasSought() const { return !sought_.empty(); }
   /// Whether that is, of a pair, beside a piece that shares a point with this edge, which meets it. `edge` is the other
   /// operand's.
-  bool bordersBothAt(std::size_t edge) const;
+  bool bordersBothAt(std::size_t edge) const { return isAnyAt(sought_, edge); }
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
-  bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const;
+  bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const { return isAnyUntil(sought_, edges, side); }
   /// Whether some piece of an area's edge, beside which no area has its inside on one side at least, is nearer than a
   /// margin to an edge of the first region, as the edge as a whole is. For regions of which what others don't hold is
   /// sought. Exact.
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
   bool isBare() const { return is_bare_; }
-  /// Whether some piece of it is in the interior of the other region of a pair.
-  bool isInOther() const { return is_in_other_; }
+  /// Whether some piece of it is in the interior of the other region of a pair; at an edge and until some, as above.
+  bool isInOther() const { return !in_other_.empty(); }
+  bool isInOtherAt(std::size_t edge) const { return isAnyAt(in_other_, edge); }
+  bool isInOtherUntil(const std::vector<std::size_t>& edges, int side) const { return isAnyUntil(in_other_, edges, side); }
   /// Whether along some piece of it that polygon has its inside on one side alone; or on both, or on none.
   bool isBorder() const { return is_border_; }
   bool isSeam() const { return is_seam_; }
@@ -135,6 +137,8 @@ class EdgeSides {
   int compareAlong(const SeenPoint& p, const SeenPoint& q) const;
   bool isBefore(const Cut& p, const Cut& q) const;
   bool isBeyond(std::size_t edge, const Cut& cut, int side) const;
+  bool isAnyAt(const std::vector<std::size_t>& pieces, std::size_t edge) const;
+  bool isAnyUntil(const std::vector<std::size_t>& pieces, const std::vector<std::size_t>& edges, int side) const;
   Sides insides(std::size_t operand) const;
   PosedSegment edgeOf(std::size_t operand, std::size_t edge) const {
     return {&regions_.pose(operand), &regions_.polygon(operand).path[edge]};
@@ -149,8 +153,9 @@ class EdgeSides {
   std::vector<Cut> cuts_;                     ///< from v to w, in order; a piece has the number of the cut before it
   std::vector<std::size_t> sought_;           ///< pieces that are what is sought, or beside it on one side
   std::vector<std::size_t> boundary_;  ///< those beside which no other region but the first has its inside on both
-  std::vector<std::size_t> borders_;  ///< those beside which its own polygon has its inside on one side alone
-  bool is_in_other_ = false, is_bare_ = false, is_border_ = false, is_seam_ = false;
+  std::vector<std::size_t> in_other_;  ///< those in the interior of the other region of a pair
+  std::vector<std::size_t> borders_;   ///< those beside which its own polygon has its inside on one side alone
+  bool is_bare_ = false, is_border_ = false, is_seam_ = false;
 };
 
 /// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.

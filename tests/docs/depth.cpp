@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "tricover/covers.h"
 #include "tricover/segment.h"
+#include "tricover/svg.h"
 
 namespace {
 
@@ -26,6 +30,35 @@ TEST(Documentation, Depth) {
   EXPECT_NEAR(tricover::depth(bar, still, bar, tricover::pose(0, 0, M_PI / 2)).depth, 0.25, 1e-14);
   EXPECT_EQ(tricover::depth(bar, still, bar, tricover::pose(0, 0.5)).depth, 0);
   //! [depth]
+}
+
+/// Three pairs beside each other, with the deepest point of each and the point nearest to it outside.
+std::string pictureOfDepths() {
+  tricover::SvgDrawing drawing(720);
+  const auto draw = [&](const tricover::Polygon& a, const tricover::Polygon& b, const tricover::Pose& pose_a,
+                        const tricover::Pose& pose_b, const tricover::Depth& found, const std::string& text) {
+    drawing.polygon(a, pose_a, "#d6d3d1");
+    drawing.polygon(b, pose_b, "rgba(147,197,253,0.6)");
+    drawing.polyline({found.point_a, found.point_b}, "#dc2626");
+    drawing.text(pose_a.translation() - tricover::Vec2(0, 2.5), text);
+  };
+  drawing.polyline({{0, -2.8}, {0, -2.8}}, "none");  // room for the texts
+  const tricover::Polygon corner({{{-2, -2}, {2, -2}, {2, -1}, {-1, -1}, {-1, 2}, {-2, 2}}});
+  const tricover::Polygon area = tricover::box(9, 9).complement(), crate = tricover::box(2, 2);
+  const tricover::Pose in_corner = tricover::pose(-0.2, -0.2), lot = tricover::pose(3.5, 3.5);
+  draw(corner, crate, still, in_corner, tricover::depth(area, lot, crate, in_corner), "0.28");
+  const tricover::Polygon bar = tricover::box(4, 1), wall = tricover::box(4, 0.2), robot = tricover::box(2, 2);
+  const tricover::Pose second = tricover::pose(5.5, 0), across = tricover::pose(5.5, 0, M_PI / 2);
+  draw(bar, bar, second, across, tricover::depth(bar, second, bar, across), "0.50");
+  const tricover::Pose third = tricover::pose(11, 0);
+  draw(robot, wall, third, third, tricover::depth(robot, third, wall, third), "1.00");
+  return drawing.str();
+}
+
+TEST(Documentation, PictureOfDepths) {
+  std::ifstream file(TRICOVER_DOCS_DIR "/depth.svg");
+  const std::string shown{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(shown, pictureOfDepths());
 }
 
 TEST(Documentation, Excess) {

@@ -236,7 +236,7 @@ TEST_F(Contact, ofFacesIsInTheirMiddleOrAtBothEnds) {
 /// deep.
 TEST_F(Contact, ofFacesAreInOrderAndAsDeepAsTheirComponents) {
   Random random(44);
-  int flat_ones = 0, shallow = 0;
+  int flat_ones = 0;
   const auto check = [&](const tricover::Polygon& a, const tricover::Pose& pose_a, const tricover::Polygon& b,
                          const tricover::Pose& pose_b) {
     const auto parts = tricover::contacts(a, pose_a, b, pose_b, {0, 99, tricover::ContactDetail::LocalDepth});
@@ -252,7 +252,7 @@ TEST_F(Contact, ofFacesAreInOrderAndAsDeepAsTheirComponents) {
         })) << k;
         if (most < 99 || parts[k].count < 2) continue;
         ++flat_ones;
-        shallow += parts[k].points[0].depth < 0.99 * parts[k].depth;
+        EXPECT_NEAR(parts[k].points[0].depth, parts[k].depth, 1e-9);
         for (const tricover::ContactPoint& end : parts[k].points)
           ASSERT_TRUE(std::any_of(found.begin(), found.end(), [&](const fcl::Contactd& contact) {
             return (contact.pos.head<2>() - end.point).norm() < 1e-9;
@@ -268,13 +268,12 @@ TEST_F(Contact, ofFacesAreInOrderAndAsDeepAsTheirComponents) {
     for (int k = 0; k < corners; ++k) ring.emplace_back(random.integer(-8, 8) / 4.0, random.integer(-8, 8) / 4.0);
     return ring;
   };
-  for (int i = 0; i < std::max(60, scaledCount(300)); ++i) {
+  for (int i = 0; i < std::max(100, scaledCount(300)); ++i) {
     SCOPED_TRACE(i);
     check(tricover::Polygon({onGrid(8)}), here, tricover::Polygon({onGrid(random.integer(3, 6))}), here);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(flat_ones, 20);
-  EXPECT_GT(shallow, 0);
 }
 
 TEST_F(Contact, ofATouchHasDepthZero) {
