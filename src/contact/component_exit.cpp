@@ -215,8 +215,11 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
   else if (across.dot(out - (inner == 1 ? Vec2(Vec2::Zero()) : frame_.originOfA())) < 0)
     outwards = -across;
   Exit exit{inner == 1 ? outwards : Vec2(-outwards), 0, {-1, -1}, outer};
+  // Beside a reflex corner the rings may reach farther than the nearest edge: then they are to pass their own length.
+  double farthest = outwards.dot(out);
+  for (const BoundaryPoint& point : component.points) farthest = std::max(farthest, outwards.dot(point.at));
   for (const BoundaryPoint& point : component.points) {
-    const double depth = outwards.dot(out - point.at);
+    const double depth = farthest - outwards.dot(point.at);
     if (depth < exit.depth) continue;
     exit.depth = depth;
     for (const int side : {0, 1}) exit.edges[side] = flatter(side, point, outwards);

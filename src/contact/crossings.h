@@ -9,6 +9,7 @@
 
 #include "contact/boundary_point.h"
 #include "pair/edge_sides.h"
+#include "pair/interiors.h"
 #include "pair/world_frame.h"
 #include "polygon/edge_walk.h"
 
@@ -78,10 +79,10 @@ class InnerCrossings {
     return isAlong(edge, 1) || isAlong(last, -1);
   }
   /// Of a ring that is a point, whether that is inside of the other region.
-  std::optional<bool> pointInOther(EdgeSides::Operand operand, std::size_t edge) const {
-    const PosedPair other = operand == EdgeSides::A ? pair_.back() : pair_;
-    if (!beginsPoint(other.b, edge)) return {};
-    return locateInA(other, other.b.path[edge]) == Location::Inside;
+  std::optional<bool> pointInOther(EdgeSides::Operand operand, std::size_t edge) {
+    const bool of_a = operand == EdgeSides::A;
+    if (!beginsPoint(of_a ? pair_.a : pair_.b, edge)) return {};
+    return isInInterior(of_a ? pair_.back() : pair_, edge, of_a ? EdgeSides::B : EdgeSides::A, sides_);
   }
 
   const PosedPair& pair_;

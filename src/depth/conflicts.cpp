@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "depth/deep_impact.h"
 #include "impact/cubic.h"
 #include "impact/options.h"
 #include "impact/vertex_paths.h"
@@ -59,17 +61,18 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, 1e-9)),
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
-      touch_margin_(margin_ < 0 ? margin_ + 2 * precision_ : margin_ + precision_),
+      touch_margin_(margin_ + (margin_ < 0 ? kDeepEnough + 1 : 1) * precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),
       speed_(mostSpeed(pair_)) {
-  depth_.first = -1;
+  for (auto& [time, depth] : depths_) time = -1;
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;
 }
 
 const Depth& MovingContact::depthAt(double time) const {
-  if (depth_.first != time) depth_ = {time, depth(a_, motion_a_.at(time), b_, motion_b_.at(time))};
-  return depth_.second;
+  if (depths_[0].first != time) std::swap(depths_[0], depths_[1]);
+  if (depths_[0].first != time) depths_[0] = {time, depth(a_, motion_a_.at(time), b_, motion_b_.at(time))};
+  return depths_[0].second;
 }
 
 bool MovingContact::touchAt(double time) const {
@@ -97,7 +100,7 @@ bool MovingContact::meetUntil(double time, double next) const {
   if (margin_ < 0) {
     const Depth first = depthAt(time);
     if (first.depth == std::numeric_limits<double>::infinity() || first.depth >= travel - margin_) return true;
-    return staysDeep(time, next);
+    return staysDeep(time, next, time) || staysDeep(time, next, next);
   }
   const Posed posed(pair_, time);
   if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;

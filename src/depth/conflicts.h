@@ -46,7 +46,7 @@ class MovingContact {
   bool meetUntil(double time, double next) const;
   bool featuresStay(double time, double next) const;
   bool staysContained(double time, double next, double travel) const;
-  bool staysDeep(double time, double next) const;
+  bool staysDeep(double time, double next, double at) const;
 
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
@@ -54,7 +54,7 @@ class MovingContact {
   const double margin_, seen_;               ///< begins are told so much too early, and ends so much too late, at most
   double precision_;                         ///< of where points are
   double touch_margin_;                      ///< within which they touch
-  mutable std::pair<double, Depth> depth_;   ///< the last time and depth
+  mutable std::pair<double, Depth> depths_[2];  ///< the last times and depths
   mutable std::optional<Polygon> walls_[2];  ///< the borders of a, and of b, as segments
   int steps_left_;                           ///< of endOfContact(), for all contacts together
   double speed_;                             ///< no point of one moves faster against the other one

@@ -36,17 +36,17 @@ std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact
 
 }  // namespace
 
-/// Whether the deepest point of the first time stays so far from the borders around it.
-bool MovingContact::staysDeep(double time, double next) const {
-  const Depth& deep = depthAt(time);
+/// Whether the deepest point of either time, `at`, stays so far from the borders around it.
+bool MovingContact::staysDeep(double time, double next, double at) const {
+  const Depth& deep = depthAt(at);
   if (!(deep.depth > 0 && touch_margin_ < 0 && next > time) || deep.point_a == deep.point_b) return false;
   const bool of_a = deep.is_point_of_a;
   const Motion &own = of_a ? motion_a_ : motion_b_, &other = of_a ? motion_b_ : motion_a_;
   std::optional<Polygon>& walls = walls_[of_a ? 1 : 0];
   if (!walls) walls.emplace(wallsOf(of_a ? b_ : a_));
-  const Vec2 at = own.at(time).inverse(Eigen::Affine) * (of_a ? deep.point_a : deep.point_b);
-  if (!at.allFinite()) return false;
-  return !timeOfImpact(*walls, other.part(time, next), point(at), own.part(time, next), {-touch_margin_, 1});
+  const Vec2 place = own.at(at).inverse(Eigen::Affine) * (of_a ? deep.point_a : deep.point_b);
+  if (!place.allFinite()) return false;
+  return !timeOfImpact(*walls, other.part(time, next), point(place), own.part(time, next), {-touch_margin_, 1});
 }
 
 /// The first contact that is as deep as the margin allows.
@@ -63,7 +63,7 @@ std::optional<Impact> MovingContact::deepImpact() const {
     return findDeepestPoint(overlap, false, 0, std::numeric_limits<double>::infinity());
   };
   question.away = [&](const Impact& touch, bool of_a, double time) {
-    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch, 16 * precision_);
+    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch, kDeepEnough * precision_);
   };
   return findDeepImpact(question);
 }

@@ -87,7 +87,7 @@ Polygon polygonOf(const std::vector<Vec2>& chain) {
 
 class DeepImpact {
  public:
-  explicit DeepImpact(const DeepQuestion& question) : of_(question), near_(16 * question.precision) {}
+  explicit DeepImpact(const DeepQuestion& question) : of_(question), near_(kDeepEnough * question.precision) {}
 
   std::optional<Impact> find() {
     if (of_.asks_a && of_.asks_b)

@@ -58,6 +58,17 @@ Depth excessAt(const Polygon& part, const Pose& pose, const std::vector<StillAre
   return result;
 }
 
+/// Where the part sticks out as soon as it does: at an exit it doesn't yet.
+void addPlace(Impact& impact, const Polygon& part, const Motion& motion, const std::vector<StillArea>& areas,
+              double first_step) {
+  for (double step = 0; step <= 1; step = step > 0 ? 2 * step : first_step) {
+    const Depth out = excessAt(part, motion.at(std::min(impact.time + step, 1.0)), areas);
+    impact.point = out.point_b;
+    impact.normal = out.normal;
+    if (out.depth > 0) return;
+  }
+}
+
 }  // namespace
 
 std::optional<Impact> firstExit(const Polygon& part, const Motion& motion, const std::vector<StillArea>& areas,
@@ -89,7 +100,9 @@ std::optional<Impact> firstExit(const Polygon& part, const Motion& motion, const
     return unionCovers(pairsOf(piece, pose, areas), 0);
   };
   std::optional<Impact> impact = findDeepImpact(question);
-  if (impact) impact->edge_a = impact->edge_b = -1;
+  if (!impact) return impact;
+  impact->edge_a = impact->edge_b = -1;
+  addPlace(*impact, part, motion, areas, std::max(rounding / contact.speed(), 1e-15));
   return impact;
 }
 

@@ -254,7 +254,7 @@ void EdgeSides::look(std::size_t piece) {
     sought_.push_back(piece);
   if (inside && (operand_ == A ? others.left && others.right : first.left && first.right)) in_other_.push_back(piece);
   if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
-  is_bare_ |= is_bare;
+  if (is_bare) bare_.push_back(piece);
   (own.left != own.right ? is_border_ : is_seam_) = true;
   if (own.left != own.right) borders_.push_back(piece);
 }

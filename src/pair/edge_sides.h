@@ -79,7 +79,9 @@ class EdgeSides {
   /// sought. Exact.
   bool hasBoundaryWithin(std::size_t edge, double margin) const;
   /// Whether along some piece of it its own polygon has no inside on either side.
-  bool isBare() const { return is_bare_; }
+  bool isBare() const { return !bare_.empty(); }
+  /// Whether its own polygon has its inside on both sides of all pieces that share a point with this edge, as above.
+  bool isSeamAt(std::size_t edge) const { return !isAnyAt(borders_, edge) && !isAnyAt(bare_, edge); }
   /// Whether some piece of it is in the interior of the other region of a pair; at an edge and until some, as above.
   bool isInOther() const { return !in_other_.empty(); }
   bool isInOtherAt(std::size_t edge) const { return isAnyAt(in_other_, edge); }
@@ -153,9 +155,10 @@ class EdgeSides {
   std::vector<Cut> cuts_;                     ///< from v to w, in order; a piece has the number of the cut before it
   std::vector<std::size_t> sought_;           ///< pieces that are what is sought, or beside it on one side
   std::vector<std::size_t> boundary_;  ///< those beside which no other region but the first has its inside on both
+  std::vector<std::size_t> bare_;      ///< those beside which it has that on neither
   std::vector<std::size_t> in_other_;  ///< those in the interior of the other region of a pair
   std::vector<std::size_t> borders_;   ///< those beside which its own polygon has its inside on one side alone
-  bool is_bare_ = false, is_border_ = false, is_seam_ = false;
+  bool is_border_ = false, is_seam_ = false;
 };
 
 /// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.

@@ -47,7 +47,8 @@ class InteriorSearch {
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
     const PosedPair other = operand == EdgeSides::A ? pair_.back() : pair_;
-    if (beginsPoint(other.b, edge)) return locateInA(other, other.b.path[edge]) == Location::Inside;
+    if (beginsPoint(other.b, edge))
+      return isInInterior(other, edge, operand == EdgeSides::A ? EdgeSides::B : EdgeSides::A, sides_);
     const EdgeSides& sides = sides_.of(operand, edge);
     has_bare_[operand] |= sides.isBare();
     return sides.hasSought() || sides.isInOther();
@@ -69,6 +70,25 @@ class InteriorSearch {
 };
 
 }  // namespace
+
+bool isInInterior(const PosedPair& pair, std::size_t edge, EdgeSides::Operand of_a, KnownSides& sides) {
+  const Vec2& point = pair.b.path[edge];
+  const Location location = locateInA(pair, point);
+  if (location != Location::Boundary) return location == Location::Inside;
+  bool is_on_edge = false, is_inner = true;
+  CoveringSum around(pair.a, seenFromA(pair, point));
+  forEachEdge(pair.a, [&](std::size_t e) {
+    if (pair.a.path[e] == pair.a.path[e + 1]) return true;  // it may be that point
+    if (edgesMeet(pair, e, edge)) {
+      is_on_edge = true;
+      is_inner = sides.of(of_a, e).isSeamAt(edge);
+    } else {
+      around.add(e);
+    }
+    return is_inner;
+  });
+  return is_on_edge ? is_inner : around.result().location == Location::Inside;
+}
 
 bool interiorsMeet(const PolygonData& polygon_a, const Pose& pose_a, const PolygonData& polygon_b, const Pose& pose_b) {
   return inKernelOrder(

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "exact_depth.h"
 #include "exact_reference.h"
 #include "random.h"
 #include "reproduction.h"
@@ -221,17 +222,18 @@ std::vector<Contact> found(const Polygon& a, const Polygon& b, ContactDetail det
 
 constexpr ContactDetail kDetails[] = {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::GlobalDepth};
 
-TEST(ContactComponent, OfASpikeWithoutAreaIsNone) {
+TEST(ContactComponent, OfASpikeWithoutAreaIsOneWhereItLeadsThroughAnInterior) {
   const Polygon a({{{1, 0}, {-1, 0}, {0, -1}, {0, 0}}}, FillRule::EvenOdd),
       b({{{0, -1}, {-2, 2}, {2, -1}, {0, 2}}}, FillRule::NonZero);
   const Counts truth = Cells(a, b).count();
   EXPECT_EQ(truth.all, 2u);
   EXPECT_EQ(truth.inner, 1u);
+  EXPECT_EQ(truth.entering, 2u);
   for (const ContactDetail detail : kDetails) {
     const Pose here = Pose::Identity();
     EXPECT_EQ(found(a, b, detail).size(), 2u);
-    EXPECT_EQ(found(a, b, detail, here, Touching::Allowed).size(), 1u);
-    EXPECT_EQ(found(b, a, detail, here, Touching::Allowed).size(), 1u);
+    EXPECT_EQ(found(a, b, detail, here, Touching::Allowed).size(), 2u);
+    EXPECT_EQ(found(b, a, detail, here, Touching::Allowed).size(), 2u);
   }
 }
 

@@ -143,17 +143,24 @@ std::string wrongContactsWithMargin(const Case& c, double margin) {
 std::string wrongLocalDepths(const Case& c, const std::vector<Contact>& found) {
   for (const Contact& contact : found) {
     if (!(contact.depth > 1e3 * rounding(c) && contact.depth < 1e100)) continue;
-    // From the point to either side: as far as both regions hold the way.
-    double length = 0;
-    for (const double sign : {1.0, -1.0}) {
-      const Vec2 to = contact.point + 2 * sign * contact.depth * contact.normal;
-      double share = 1;
-      for (const auto& [polygon, pose] : {std::pair(&c.a, &c.pose_a), std::pair(&c.b, &c.pose_b)}) {
-        const std::vector<RayInterval> held = castRayAll(*polygon, *pose, contact.point, to);
-        share = std::min(share, held.empty() || held[0].begin.fraction > 0 ? 0 : held[0].end.fraction);
+    // From a point to either side: as far as both regions hold the way.
+    const auto widthAt = [&](const Vec2& from) {
+      double length = 0;
+      for (const double sign : {1.0, -1.0}) {
+        const Vec2 to = from + 2 * sign * contact.depth * contact.normal;
+        double share = 1;
+        for (const auto& [polygon, pose] : {std::pair(&c.a, &c.pose_a), std::pair(&c.b, &c.pose_b)}) {
+          const std::vector<RayInterval> held = castRayAll(*polygon, *pose, from, to);
+          share = std::min(share, held.empty() || held[0].begin.fraction > 0 ? 0 : held[0].end.fraction);
+        }
+        length += share * 2 * contact.depth;
       }
-      length += share * 2 * contact.depth;
-    }
+      return length;
+    };
+    // What runs along a border has no width.
+    const Vec2 aside = 64 * rounding(c) * Vec2(-contact.normal.y(), contact.normal.x());
+    const double length =
+        std::min({widthAt(contact.point), widthAt(contact.point + aside), widthAt(contact.point - aside)});
     if (length > contact.depth * (1 + 1e-9) + 16 * rounding(c)) return "a local depth below the component's width";
   }
   return {};

@@ -27,10 +27,11 @@ Polygon fan(int triangles, double side) {
   return Polygon({ring});
 }
 
-/// The apexes pass by each other: two million pairs of edges are a hair apart, all the time.
+/// The apexes pass by each other while one fan turns: a million pairs of edges are a hair apart, all the time.
 TEST(ImpactBudget, EndsWithTheProvenTime) {
-  const Polygon left = fan(700, -1), right = fan(700, 1);
-  const Motion up = Motion::translation(pose(0, 1e-9, -1e-4), {0, 1e-3});
+  const Polygon left = fan(400, -1), right = fan(400, 1);
+  Motion up = Motion::translation(pose(0, 1e-9, -1e-4), {0, 1e-3});
+  up.angle = 0.1;
   const auto impact = timeOfImpact(left, kStill, right, up);
   ASSERT_TRUE(impact.has_value());
   EXPECT_TRUE(impact->budget_ended);
@@ -48,24 +49,16 @@ TEST(ImpactBudget, EndsWithTheProvenTime) {
   EXPECT_FALSE(timeOfImpact(fan(20, -1), kStill, fan(20, 1), up).has_value());
 }
 
-/// A square slides along the straight side of a concave polygon exactly as deep as is allowed: each step proves no more
-/// than its own length. Along a convex one, both ends tell.
-TEST(ImpactBudget, EndsWithConflictsThatStayUnknown) {
+/// A square slides along the straight side of a polygon, convex or not, exactly as deep as is allowed: the deepest
+/// points of both ends of a step tell that the contact lasts.
+TEST(ImpactBudget, LastsWhereAnOverlapStaysExactlyAsDeepAsIsAllowed) {
   const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
   const Motion beside = Motion::translation(pose(0, 1.875, -0.5), {0, 1});
   for (const Polygon& a : {notched, kSquare}) {
-    const bool is_known = a.edgeCount() == 4;
-    const auto impact = timeOfImpact(a, kStill, kSquare, beside, {-0.125, 0, true});
-    ASSERT_EQ(impact.has_value(), !is_known);
-    if (impact) {
-      EXPECT_TRUE(impact->budget_ended);
-      EXPECT_GT(impact->time, 0);
-      EXPECT_LE(impact->time, 1);
-    }
+    EXPECT_FALSE(timeOfImpact(a, kStill, kSquare, beside, {-0.125, 0, true}).has_value());
     const std::vector<Conflict> all = conflicts(a, kStill, kSquare, beside, {-0.125, 0});
     ASSERT_EQ(all.size(), 1u);
-    EXPECT_EQ(all[0].budget_ended, !is_known);
-    EXPECT_FALSE(all[0].impact.budget_ended);
+    EXPECT_FALSE(all[0].budget_ended || all[0].impact.budget_ended);
     EXPECT_EQ(all[0].impact.time, 0);
     EXPECT_EQ(all[0].end, 1);
   }
@@ -91,12 +84,11 @@ TEST(ImpactBudget, LastsForExtremeRatios) {
   }
 }
 
-/// They touch at the start within rounding alone, for longer than the budget lasts, and are never as deep as is
-/// allowed.
+/// They touch at the start within rounding alone or not at all, and are never as deep as is allowed.
 TEST(ImpactBudget, LeavesOutAContactThatIsNoImpact) {
   const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
   int without = 0;
-  for (const double off : {3e-13, 3.8e-13, 4.1e-13, 4.4e-13}) {
+  for (double off = 1e-13; off < 1e-10; off *= 1.5) {
     const Motion beside = Motion::translation(pose(0, 1.875 + off, -0.5), {0, 1});
     const ImpactOptions options{-0.125, 0, true};
     if (timeOfImpact(notched, kStill, kSquare, beside, {-0.125, 0})) continue;

@@ -18,7 +18,7 @@ struct PolygonOptions {
   /// close as the sum of their margins (rounded to a double) or closer. Distances, depths and contacts are those of the
   /// polygons grown by their margins. A negative sum -e is an overlap that is allowed, in collisions and continuous
   /// collisions: shapes collide if some point of either is e deep in the other, as CollideOptions::margin says. A
-  /// distance with a negative sum throws std::invalid_argument.
+  /// distance with a negative sum is an error.
   double margin = 0;
   /// The shape is a prism: the polygon at every local z from z_low to z_high, both included. Flat by default. A pose
   /// that turns the shape upside down turns the interval, too.

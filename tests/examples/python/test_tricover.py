@@ -6,6 +6,7 @@ import sys
 import tempfile
 import threading
 import time
+import math
 import unittest
 
 import numpy as np
@@ -210,8 +211,10 @@ class Pairs(unittest.TestCase):
         left, _ = lanes.add(sheet, (-2, 0, 0)), lanes.add(sheet, (2, 0, 0))
         self.assertIs(lanes.covers(crate, ORIGIN), True)
         self.assertIs(lanes.covers(crate, ORIGIN, ignored=left), False)
+        np.testing.assert_array_equal(tc.covers(sheet, ORIGIN, crate, poses, margin=-0.125), [True, True, True])
+        np.testing.assert_array_equal(tc.covers(sheet, ORIGIN, crate, poses, margin=-0.0625), [True, True, False])
         with self.assertRaisesRegex(ValueError, "margin"):
-            tc.covers(sheet, ORIGIN, crate, ORIGIN, margin=-1)
+            tc.covers(sheet, ORIGIN, crate, ORIGIN, margin=math.nan)
         with self.assertRaisesRegex(ValueError, "pose_part: there are 3, but of pose_area 2"):
             tc.covers(sheet, poses[:2], crate, poses)
 

@@ -35,7 +35,7 @@ MUTATIONS = [
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->cache = {};\n", "", "table: another pair's rest is inherited"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "  Seen pairs, ids;", "  Seen pairs, &ids = pairs;", "table: a pair's two keys take each other's cell"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "++taken > cells.size()", "false", "table: pairs that take turns are always new"),
-    ("fcl_adapter/src/shape/course.cpp", "{margin_ + last_})) last_ /= 2;", "{margin_})) last_ /= 2;", "own motion: deeper than it is found to be"),
+    ("fcl_adapter/src/shape/course.cpp", "-margin_ - tricover::depth(a_, pose_a, b_, pose_b).upper_bound", "-margin_", "own motion: deeper than it is found to be"),
     ("fcl_adapter/src/shape/course.cpp", "margin >= 0 || !(a.isComplement() || b.isComplement())", "true", "own motion: a complement has a front"),
     ("fcl_adapter/src/queries/planar_pair.cpp", "std::abs(pair.margin) + around", "pair.margin + around", "shadow: parts left out that make an overlap deep"),
     ("fcl_adapter/src/shadow/shadow.cpp", "view_.joins_parts && ", "false && ", "shadow: gaps between cells that rounding leaves"),
