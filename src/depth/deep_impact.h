@@ -14,7 +14,7 @@ namespace tricover::detail {
 
 /// Precisions by which an overlap that is reported may be smaller than the allowed one: what times of impact may take
 /// for a touch.
-constexpr double kDeepEnough = 16;
+constexpr double kDeepEnough = 1.25;
 
 /// Two moving regions, and how deep points of either may be in the other one; or of b alone, in what a's edges are the
 /// borders of.
