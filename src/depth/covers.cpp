@@ -24,6 +24,15 @@ Polygon edgesOf(const std::vector<PosedPair>& part_and_areas, const Vec2& from) 
   return Polygon(rings);
 }
 
+/// Of an edge of all areas, in the first area, or -1. Vertices that rounding makes one keep their numbers, not their
+/// positions.
+std::ptrdiff_t positionIn(const PolygonData& first, const PolygonData& all, std::size_t position) {
+  const std::size_t ring = all.ringOf(position);
+  if (ring >= first.ringCount()) return -1;
+  return static_cast<std::ptrdiff_t>(first.edgeBegin(ring) + static_cast<std::size_t>(all.edgeName(position)) -
+                                     all.firstNumber(ring));
+}
+
 bool excludes(const PosedPair& pair, const Vec2& p) {
   const Vec2 local = pair.pose_b.linear().inverse() * (p - pair.pose_b.translation());
   return locateInPolygon(pair.b, IncludedPoint::ofFrame(local)) == Location::Outside;
@@ -47,7 +56,10 @@ DeepestPoint excessOfUnion(const std::vector<PosedPair>& part_and_areas, double 
                        [&](const PosedPair& pair) { return excludes(pair, p); });
   };
   const Overlap overlap(part, part_and_areas[0].pose_a, {edges.data(), pose, false, isExcluded});
-  return findDeepestPoint(overlap, false, 0, enough);
+  DeepestPoint found = findDeepestPoint(overlap, false, 0, enough);
+  if (found.nearest_edge >= 0)
+    found.nearest_edge = positionIn(part_and_areas[0].b, edges.data(), static_cast<std::size_t>(found.nearest_edge));
+  return found;
 }
 
 bool unionCoversBut(const std::vector<PosedPair>& part_and_areas, double margin) {

@@ -210,7 +210,7 @@ class DeepImpact {
       second.chain.assign(piece.chain.begin() + static_cast<std::ptrdiff_t>(middle), piece.chain.end());
     } else {
       const Vec2 &v = piece.chain[0], &w = piece.chain[1], at = 0.5 * v + 0.5 * w;
-      if (!((w - v).norm() > std::max(0.25 * left, 4 * of_.precision))) return false;
+      if (!((w - v).stableNorm() > std::max(0.25 * left, 4 * of_.precision))) return false;
       first.chain = {v, at};
       second.chain = {at, w};
     }

@@ -80,7 +80,6 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
   const Polygon cut(rings, given.fill.rule);
   const Pose still = Pose::Identity();
   KnownSides sides(PosedRegions({PosedPair(cut.data(), still, cut.data(), still)}));
-  SnappedPoints snapped(0x1p-48 * given.extent);
   std::vector<Piece> all;
   std::vector<bool> borders;
   for (const Piece& piece : pieces) {
@@ -99,11 +98,17 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
     const Vec2 v(piece.v.data()), w(piece.w.data());
     OrderedPoint from = piece.v;
     for (const EdgeSides::Piece& part : beside.pieces()) {
-      const OrderedPoint to = part.to < 1 ? snapped.snap((1 - part.to) * v + part.to * w) : piece.w;
+      const OrderedPoint to = part.to < 1 ? ordered((1 - part.to) * v + part.to * w) : piece.w;
       all.push_back({from, to, piece.edge});
       borders.push_back(part.is_border);
       from = to;
     }
+  }
+  if (all.size() > pieces.size()) {
+    // A crossing may be within rounding of a vertex, or of another one.
+    SnappedPoints snapped(0x1p-48 * given.extent);
+    for (std::vector<Piece>* some : {&pieces, &all})
+      for (Piece& piece : *some) piece.v = snapped.snap(Vec2(piece.v.data())), piece.w = snapped.snap(Vec2(piece.w.data()));
   }
   pieces = std::move(all);
   return borders;
@@ -131,10 +136,21 @@ struct BorderPieces {
     }
   }
 
+  using PiecesByEnds = std::map<OrderedPoint, std::set<std::size_t>>;
+
+  /// Among the points where an odd number of pieces is left, and `start`.
+  static OrderedPoint nearestEnd(const PiecesByEnds& left, const OrderedPoint& point, const OrderedPoint& start) {
+    const auto way = [&](const OrderedPoint& p) { return (Vec2(p.data()) - Vec2(point.data())).stableNorm(); };
+    const OrderedPoint* nearest = &start;
+    for (const auto& [end, pieces] : left)
+      if (pieces.size() % 2 != 0 && way(end) < way(*nearest)) nearest = &end;
+    return *nearest;
+  }
+
   /// Rings of all pieces, and the given edges that theirs are pieces of. An even number of pieces ends at each point, so
   /// that a walk ends where it began.
   BorderRings rings() const {
-    std::map<OrderedPoint, std::set<std::size_t>> left;  // pieces by their ends
+    PiecesByEnds left;
     for (std::size_t k = 0; k < all.size(); ++k)
       for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].insert(k);
     BorderRings found;
@@ -147,7 +163,16 @@ struct BorderPieces {
         found.edges.push_back(all[k].edge);
         for (const OrderedPoint& end : {all[k].v, all[k].w}) left[end].erase(k);
         point = all[k].v == point ? all[k].w : all[k].v;
-        if (point == all[first].v || left[point].empty()) break;  // empty where points were rounded
+        if (left[point].empty() && point != all[first].v) {
+          // A crossing was rounded apart: the walk goes on from the nearest end.
+          const OrderedPoint other = nearestEnd(left, point, all[first].v);
+          if (other != all[first].v) {
+            found.rings.back().push_back(Vec2(point.data()));
+            found.edges.push_back(all[k].edge);
+          }
+          point = other;
+        }
+        if (point == all[first].v) break;
         // The next piece of the same ring leads on, or else any.
         k = left[point].count(k + 1) != 0 ? k + 1 : *left[point].begin();
       }

@@ -16,6 +16,8 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/covers.h"
+#include "tricover/distance.h"
+#include "tricover/locate.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -270,6 +272,65 @@ TEST(HausdorffDistance, IsTheLargerExcess) {
   EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
   EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2).complement(), kHere), kInfinity);
   EXPECT_NEAR(hausdorffDistance(box(2, 2).complement(), kHere, box(6, 4).complement(), kHere), 2, 1e-14);
+}
+
+/// One edge passes another one's end within rounding: where they cross is rounded once on either, and is one corner of
+/// the border all the same.
+TEST(Depth, BesideACrossingWithinRoundingOfAVertex) {
+  const Polygon crossed({{{-0x1.be6abf58e9523p+2, 0x1.be6abf58e9523p+0},
+                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+0},
+                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+0},
+                          {0x1.be6abf58e9523p+1, 0x1.be6abf58e9523p+0},
+                          {0x1.4ed00f82aefdap+2, 0x1.be6abf58e9523p-1},
+                          {0x1.be6abf58e9523p+2, 0x0p+0},
+                          {0x1.be6abf58e9523p+2, 0x0p+0},
+                          {0x1.869d676dcc27fp+2, -0x1.4ed00f82aefdap+1},
+                          {0x1.4ed00f82aefdap+2, -0x1.4ed00f82aefdap+2},
+                          {0x1.4ed00f82aefdap+2, -0x1.4ed00f82aefdap+2},
+                          {0x1.be6abf58e9523p+0, -0x1.4ed00f82aefdap+1},
+                          {-0x1.be6abf58e9523p+0, 0x0p+0},
+                          {-0x1.be6abf58e9523p+0, 0x0p+0},
+                          {0x1.be6abf58e9523p-1, -0x1.be6abf58e9523p+0},
+                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+1}}},
+                        FillRule::NonZero);
+  const Vec2 begin = crossed.edgeStart(14), way = crossed.edgeEnd(14) - begin,
+             left = Vec2(-way.y(), way.x()).normalized();
+  for (const double share : {0.3, 0.6, 0.9})
+    for (const double side : {-1, 1}) {
+      const Vec2 inside = begin + share * way + side * 0.05 * left;
+      const double expected = locate(crossed, inside) == Location::Inside ? 0.05 : 0;
+      EXPECT_NEAR(depth(crossed, kHere, point(inside), kHere).depth, expected, 1e-13) << share << ", " << side;
+    }
+  EXPECT_EQ(locate(crossed, begin + 0.6 * way - 0.05 * left), Location::Inside);
+}
+
+/// Two vertices that a pose makes one don't shift the names of the edges behind them.
+TEST(Excess, NamesEdgesBehindVerticesThatRoundingMakesOne) {
+  const Polygon a({{{-0x1.8p-1, 0x1.8p-1},
+                    {-0x1p-1, 0x0p+0},
+                    {0x1.8p-1, 0x0p+0},
+                    {-0x1p-1, -0x1.8p-1},
+                    {0x1p-1, 0x0p+0},
+                    {0x1p-1, 0x0p+0}}},
+                  FillRule::NonZero);
+  const Polygon b({{{0x1.49e9b0e7c0d3bp-1, 0x1.7a9b279906139p-5},
+                    {0x1.e0144e3de604bp-3, 0x1.bac18f61650c3p-4},
+                    {0x1.e19d1222656ccp-5, 0x1.d3e69bbf8c601p-4},
+                    {0x1.e19d1222656cbp-5, 0x1.d3e69bbf8c601p-4},
+                    {-0x1.c2f61fb31d9a8p-2, 0x1.6e5dc290e560dp-4},
+                    {-0x1.6874b25a7e9e2p-1, -0x1.05f17c183580ep-9},
+                    {-0x1.006ae66ff1725p-1, -0x1.4a0d7169887f4p-4},
+                    {-0x1.5738ab981eb8dp-2, -0x1.9cedff68a0714p-4},
+                    {0x1.cc7695bd61feap-2, -0x1.6951bad9a215fp-4},
+                    {0x1.37f1d94130419p-1, -0x1.d6bdc9627a8bcp-5}}},
+                  FillRule::NonZero);
+  Pose pose_b = kHere;
+  pose_b.matrix().topRows<2>() << 0x1.fe5814336f1ap-4, -0x1.fc02a233e1092p-1, -0x1.e47ec22d8f817p-3,
+      -0x1.fc02a233e1092p-1, -0x1.fe5814336f1ap-4, 0x1.08fdfdeb0e173p-1;
+  const Excess found = excess(a, kHere, b, pose_b);
+  const Vec2 v = pose_b * b.edgeStart(found.nearest_edge), w = pose_b * b.edgeEnd(found.nearest_edge);
+  EXPECT_EQ(found.nearest_edge, 8);
+  EXPECT_NEAR(distance(segment(v, w), kHere, point(found.nearest), kHere).distance, 0, 1e-15);
 }
 
 TEST(Depth, RefusesWhatIsNoPose) {
