@@ -67,8 +67,8 @@ struct ContactOptions {
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
   ContactDetail detail = ContactDetail::GlobalDepth;  ///< How much is computed of each one.
-  /// Allowed: parts of the overlap without an interior, where the regions only touch, are left out, and with a margin
-  /// regions that are exactly so far apart.
+  /// Allowed: parts of the overlap where the regions only touch, with no point of either in the interior of the other
+  /// one, are left out, and with a margin regions that are exactly so far apart.
   Touching touching = Touching::Collides;
 };
 

@@ -12,14 +12,14 @@ struct Depth {
   double depth;  ///< A world length: 0 for regions that only touch or are apart, infinity for two complements.
   /// A unit vector along which moving b makes the depth smaller at first: from point_b to point_a.
   Vec2 normal;
-  /// A point of a, `depth` away from point_b. One of the two is the deepest point, the other one is nearest to it outside
-  /// of the other region, on that region's boundary. Both are 0 if the depth is 0 or infinite.
+  /// A point of a, `depth` away from point_b. One of the two is the deepest point, the other one is nearest to it
+  /// outside of the other region, on that region's boundary. Both are 0 if the depth is 0 or infinite.
   Vec2 point_a;
   Vec2 point_b;  ///< A point of b; see point_a.
   /// The edge of a that point_a lies on; -1 for a deepest point in the interior, as in the middle of a hole that the
   /// other region fills, and if the depth is 0 or infinite.
   EdgeIndex edge_a;
-  EdgeIndex edge_b;  ///< The edge of b that point_b lies on, or -1 likewise.
+  EdgeIndex edge_b;    ///< The edge of b that point_b lies on, or -1 likewise.
   bool is_point_of_a;  ///< Whether point_a is the deepest point, inside of b. Otherwise point_b is, inside of a.
   /// No point is deeper than this. It is above `depth` by more than the precision only if a budget ended.
   double upper_bound;
@@ -33,10 +33,10 @@ struct Depth {
 /// of both depths counts. A complement is a region like any other: a car that leaves its lot is as deep in the lot's
 /// complement as its farthest point is outside.
 ///
-/// \image html depth.svg "0.2 into both walls of a corner: 0.28 deep. Crossing bars 1 wide: 0.5. A thin wall through a robot 2 wide: 1"
+/// \image html depth.svg "0.2 into both walls of a corner: 0.28 deep; bars 1 wide: 0.5; a wall in a robot 2 wide: 1"
 ///
-/// The depth is precise to 1e-14 of the coordinates, and changes by no more than the polygons move. It is 0 exactly where
-/// collide() with Touching::Allowed is false. Swapping the operands turns the normal round and swaps the points.
+/// The depth is precise to 1e-14 of the coordinates, and changes by no more than the polygons move. It is 0 exactly
+/// where collide() with Touching::Allowed is false. Swapping the operands turns the normal round and swaps the points.
 ///
 /// A query searches the arcs of each outline inside the other region, best first. Cost: that of crossings(), and some
 /// microseconds. It ends after 2^17 steps with what is proven by then.
@@ -53,15 +53,16 @@ struct Excess {
   Vec2 nearest;     ///< The point of the area nearest to it. Both are 0 if the distance is 0 or infinite.
   EdgeIndex edge;   ///< The edge of the part that `point` lies on, or -1 if it is in the part's interior, or as above.
   EdgeIndex nearest_edge;  ///< The edge of the area that `nearest` lies on, or -1 as above.
-  double upper_bound;      ///< No point is farther. It is above `distance` by more than the precision only if a budget ended.
+  /// No point is farther. It is above `distance` by more than the precision only if a budget ended.
+  double upper_bound;
 };
 
 /// Returns how far a part sticks out of an area: the largest distance of a point of the part from the area. This is the
 /// directed Hausdorff distance of the two regions, with their interiors and holes.
 ///
-/// The distance is 0 exactly where covers() is true. It is precise to 1e-14 of the coordinates. It overlooks gaps of the
-/// area that are narrower than twice the distance, and posts: who must respect these asks collide() with the
-/// area's complement.
+/// The distance is 0 exactly where covers() is true. It is precise to 1e-14 of the coordinates. It overlooks gaps of
+/// the area that are narrower than twice the distance, and posts: who must respect these asks collide() with the area's
+/// complement.
 ///
 /// \throws std::invalid_argument as depth().
 ///

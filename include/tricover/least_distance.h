@@ -30,9 +30,10 @@ struct LeastDistance {
 
 /// Returns the least distance of two moving polygons at a time from 0 to 1, both included, with when and where it is.
 ///
-/// Each impact with a margin proves a bound: bodies come within a margin, or they never do. The search goes to a minimum
-/// by distances, which it proves then. It costs about as much as some tens of distance() and a few timeOfImpact(),
-/// whatever the error is; where minima are many, at most twice timeOfImpact() for each bit of distance / error.
+/// Each impact with a margin proves a bound: bodies come within a margin, or they never do. The search goes to a
+/// minimum by distances, which it proves then. It costs about as much as some tens of distance() and a few
+/// timeOfImpact(), whatever the error is; where minima are many, at most twice timeOfImpact() for each bit of
+/// distance / error.
 ///
 /// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is negative or not finite,
 /// and for an error that is not finite and positive

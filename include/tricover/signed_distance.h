@@ -22,8 +22,8 @@ struct SignedDistance {
 ///
 /// collide() with any margin m, negative or not, says whether the signed distance is at most m; with Touching::Allowed,
 /// whether it is below m. The distance is as precise as that of distance(), with the same errors allowed, and the depth
-/// as that of depth(). How far b must move to be free of a is another question: see penetration(). Swapping the operands
-/// turns the normal round and swaps the points, unless they are the same region at the same place.
+/// as that of depth(). How far b must move to be free of a is another question: see penetration(). Swapping the
+/// operands turns the normal round and swaps the points, unless they are the same region at the same place.
 ///
 /// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, and
 /// for an error that is negative or NaN

@@ -63,11 +63,11 @@ struct Impact {
 /// others, or outlines that stay within rounding of each other. If it ends, the result is an impact
 /// at the time before which contact is excluded, with `budget_ended` set.
 ///
-/// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. The result is
-/// never later than the first time at which the regions are as deep. No point of a piece of an outline is deep for as
-/// long as the piece, translated by no more than is allowed, has no contact: times of impact as above. Each piece has a
-/// translation of its own, and is halved where it finds none. Where pieces would be short, the search goes on for as
-/// long as the depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
+/// With a negative margin, an overlap within 2e-13 L of the allowed one may be reported like a deeper one. The result
+/// is never later than the first time at which the regions are as deep. No point of a piece of an outline is deep for
+/// as long as the piece, translated by no more than is allowed, has no contact: times of impact as above. Each piece
+/// has a translation of its own, and is halved where it finds none. Where pieces would be short, the search goes on for
+/// as long as the depth takes to become what is allowed. After 4096 steps the result has `budget_ended` set.
 ///
 /// \throws std::invalid_argument for a motion that checkMotion() refuses, for a margin that is not finite, and for a
 /// time_error that is negative or not finite

@@ -36,7 +36,8 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
 /// All pairs of edges that share a point, exactly.
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame);
 
-/// Where the outline of the overlap of the interiors is: see CrossingOptions::touching and Touching. Each edge is looked at once.
+/// Where the outline of the overlap of the interiors is: see CrossingOptions::touching and Touching. Each edge is
+/// looked at once.
 class InnerCrossings {
  public:
   /// crossings: all of the pair's.

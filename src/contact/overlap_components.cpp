@@ -19,8 +19,8 @@ class Grouping : OverlapArcs {
   std::vector<OverlapComponent> components(ContactDetail detail) {
     join(false);
     std::size_t count = numberComponents();
-    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join, or to the sides
-    // of pieces, which change there.
+    // A polygon's own crossings cost a descent of it, and matter only if there is something left to join, or to the
+    // sides of pieces, which change there.
     if ((count > 1 || detail != ContactDetail::Points) && (meetsItself(pair_.a) || meetsItself(pair_.b))) {
       join(true);
       count = numberComponents();
@@ -199,7 +199,8 @@ class Grouping : OverlapArcs {
     const double length = c.on[side].high - c.on[side].low;
     if (!(length > 0)) return;
     const bool alike = side == 0 || runsAlike(c);
-    const auto first = std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < c.edge[side]; });
+    const auto first =
+        std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < c.edge[side]; });
     for (auto stop = first; stop != stops.end() && stop->edge == c.edge[side]; ++stop)
       for (const double at : {stop->span.low, stop->span.high}) {
         const double share = (at - c.on[side].low) / length;

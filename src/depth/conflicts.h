@@ -51,13 +51,13 @@ class MovingContact {
   const Polygon &a_, &b_;
   const Motion &motion_a_, &motion_b_;
   const MovingPair pair_;
-  const double margin_, seen_;               ///< begins are told so much too early, and ends so much too late, at most
-  double precision_;                         ///< of where points are
-  double touch_margin_;                      ///< within which they touch
+  const double margin_, seen_;  ///< begins are told so much too early, and ends so much too late, at most
+  double precision_;            ///< of where points are
+  double touch_margin_;         ///< within which they touch
   mutable std::pair<double, Depth> depths_[2];  ///< the last times and depths
-  mutable std::optional<Polygon> walls_[2];  ///< the borders of a, and of b, as segments
-  int steps_left_;                           ///< of endOfContact(), for all contacts together
-  double speed_;                             ///< no point of one moves faster against the other one
+  mutable std::optional<Polygon> walls_[2];     ///< the borders of a, and of b, as segments
+  int steps_left_;                              ///< of endOfContact(), for all contacts together
+  double speed_;                                ///< no point of one moves faster against the other one
 };
 
 /// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If

@@ -63,7 +63,8 @@ std::optional<Impact> MovingContact::deepImpact() const {
     return findDeepestPoint(overlap, false, 0, std::numeric_limits<double>::infinity());
   };
   question.away = [&](const Impact& touch, bool of_a, double time) {
-    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch, kDeepEnough * precision_);
+    return outwards(of_a ? borders_b : borders_a, (of_a ? motion_b_ : motion_a_).at(time), touch,
+                    kDeepEnough * precision_);
   };
   return findDeepImpact(question);
 }

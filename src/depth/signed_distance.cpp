@@ -19,13 +19,16 @@ namespace tricover {
 SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                               const DistanceOptions& options) {
   detail::checkOptions(options);
-  std::vector<Contact> touches;
   if (collide(a, pose_a, b, pose_b)) {
     const Depth d = depth(a, pose_a, b, pose_b);
     if (d.upper_bound > 0) return {-d.upper_bound - options.margin, d.normal, d.point_a, d.point_b, d.edge_a, d.edge_b};
-    touches = contacts(a, pose_a, b, pose_b, {0, 1, ContactDetail::LocalDepth});
+    const std::vector<Contact> touches = contacts(a, pose_a, b, pose_b, {0, 1, ContactDetail::LocalDepth});
+    if (!touches.empty()) {
+      const Contact& touch = touches[0];
+      return {0 - options.margin, touch.normal, touch.point, touch.point, touch.edge_a, touch.edge_b};
+    }
   }
-  SignedDistance result = detail::inKernelOrder(
+  return detail::inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) -> SignedDistance {
         const detail::PosedPair pair(operands...);
@@ -37,13 +40,11 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
                 : std::min(detail::distanceInOrder(detail::PosedVertices(pair), {}).distance - options.margin, 0.0);
         return {nearest.distance + within, normal, nearest.point_a, nearest.point_b, nearest.edge_a, nearest.edge_b};
       },
-      [](SignedDistance& swapped) {
-        swapped.normal = -swapped.normal;
-        std::swap(swapped.point_a, swapped.point_b);
-        std::swap(swapped.edge_a, swapped.edge_b);
+      [](SignedDistance& result) {
+        result.normal = -result.normal;
+        std::swap(result.point_a, result.point_b);
+        std::swap(result.edge_a, result.edge_b);
       });
-  if (!touches.empty()) result.normal = touches[0].normal;
-  return result;
 }
 
 }  // namespace tricover

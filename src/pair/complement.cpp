@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The complement of a polygon: rings without the edges that are inside or outside of the region as a whole.
+#include "pair/complement.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 
 #include "numbers/errors.h"
 #include "numbers/predicates.h"
-#include "pair/complement.h"
 #include "pair/edge_pairs.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
@@ -83,7 +84,8 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
   std::vector<Piece> all;
   std::vector<bool> borders;
   for (const Piece& piece : pieces) {
-    const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
+    const EdgeSides& beside =
+        sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
     if (!beside.isBorder() || !beside.isSeam()) {
       all.push_back(piece);
       borders.push_back(beside.isBorder());
@@ -91,7 +93,7 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
     }
     const std::size_t ring = given.ringOf(piece.edge);
     if (!rounded)
-      refuse("rings: ring " + std::to_string(ring) + ", vertex " + 
+      refuse("rings: ring " + std::to_string(ring) + ", vertex " +
                  std::to_string(given.edgeNumber(piece.edge) - given.firstNumber(ring)),
              "the edge from there is partly inside of the region, from a crossing on that is no vertex",
              "make a union of the rings before complement(), with vertices at their crossings");
@@ -108,7 +110,8 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
     // A crossing may be within rounding of a vertex, or of another one.
     SnappedPoints snapped(0x1p-48 * given.extent);
     for (std::vector<Piece>* some : {&pieces, &all})
-      for (Piece& piece : *some) piece.v = snapped.snap(Vec2(piece.v.data())), piece.w = snapped.snap(Vec2(piece.w.data()));
+      for (Piece& piece : *some)
+        piece.v = snapped.snap(Vec2(piece.v.data())), piece.w = snapped.snap(Vec2(piece.w.data()));
   }
   pieces = std::move(all);
   return borders;
@@ -147,8 +150,8 @@ struct BorderPieces {
     return *nearest;
   }
 
-  /// Rings of all pieces, and the given edges that theirs are pieces of. An even number of pieces ends at each point, so
-  /// that a walk ends where it began.
+  /// Rings of all pieces, and the given edges that theirs are pieces of. An even number of pieces ends at each point,
+  /// so that a walk ends where it began.
   BorderRings rings() const {
     PiecesByEnds left;
     for (std::size_t k = 0; k < all.size(); ++k)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/coverage.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -8,6 +6,7 @@
 
 #include "hierarchy/simd.h"
 #include "numbers/rigidity.h"
+#include "pair/coverage.h"
 #include "pair/edge_pairs.h"
 #include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"

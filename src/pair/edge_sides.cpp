@@ -318,7 +318,8 @@ bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
   return sign(v_, w_, q) != 0 || sign(v_, w_, r) != 0 ? isThere(q, r) : isThere(q, q) && isThere(r, r);
 }
 
-bool EdgeSides::isAnyUntil(const std::vector<std::size_t>& pieces, const std::vector<std::size_t>& edges, int side) const {
+bool EdgeSides::isAnyUntil(const std::vector<std::size_t>& pieces, const std::vector<std::size_t>& edges,
+                           int side) const {
   return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
     const Cut& cut = cuts_[side > 0 ? piece : piece + 1];
     return std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, cut, -side); });

@@ -73,7 +73,9 @@ class EdgeSides {
   bool bordersBothAt(std::size_t edge) const { return isAnyAt(sought_, edge); }
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
-  bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const { return isAnyUntil(sought_, edges, side); }
+  bool bordersBothUntil(const std::vector<std::size_t>& edges, int side) const {
+    return isAnyUntil(sought_, edges, side);
+  }
   /// Whether some piece of an area's edge, beside which no area has its inside on one side at least, is nearer than a
   /// margin to an edge of the first region, as the edge as a whole is. For regions of which what others don't hold is
   /// sought. Exact.
@@ -85,7 +87,9 @@ class EdgeSides {
   /// Whether some piece of it is in the interior of the other region of a pair; at an edge and until some, as above.
   bool isInOther() const { return !in_other_.empty(); }
   bool isInOtherAt(std::size_t edge) const { return isAnyAt(in_other_, edge); }
-  bool isInOtherUntil(const std::vector<std::size_t>& edges, int side) const { return isAnyUntil(in_other_, edges, side); }
+  bool isInOtherUntil(const std::vector<std::size_t>& edges, int side) const {
+    return isAnyUntil(in_other_, edges, side);
+  }
   /// Whether along some piece of it that polygon has its inside on one side alone; or on both, or on none.
   bool isBorder() const { return is_border_; }
   bool isSeam() const { return is_seam_; }

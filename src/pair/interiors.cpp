@@ -15,9 +15,9 @@ namespace tricover::detail {
 namespace {
 
 /// A point of either region in the interior of the other one: the overlap of the interiors, or a piece of an edge, or a
-/// ring that is a point. The overlap of the interiors, if there is one, is open and bounded: beside some piece of an edge, on one side, both
-/// regions have their inside. Which edges have to be looked at? Say that the piece is a's, and K what is connected with
-/// it of a's edges.
+/// ring that is a point. The overlap of the interiors, if there is one, is open and bounded: beside some piece of an
+/// edge, on one side, both regions have their inside. Which edges have to be looked at? Say that the piece is a's, and
+/// K what is connected with it of a's edges.
 ///   K meets an edge of b. Between the piece and the first place on b's edges all of K is inside of b: the last edge on
 ///   that way, which meets one of b, has both insides beside it there, or is bare.
 ///   K doesn't. Then all of it is inside of b, the starts of its rings, too.
@@ -76,7 +76,8 @@ bool isInInterior(const PosedPair& pair, std::size_t edge, EdgeSides::Operand of
   const Location location = locateInA(pair, point);
   if (location != Location::Boundary) return location == Location::Inside;
   bool is_on_edge = false, is_inner = true;
-  CoveringSum around(pair.a, seenFromA(pair, point));
+  const IncludedPoint seen = seenFromA(pair, point);
+  CoveringSum around(pair.a, seen);
   forEachEdge(pair.a, [&](std::size_t e) {
     if (pair.a.path[e] == pair.a.path[e + 1]) return true;  // it may be that point
     if (edgesMeet(pair, e, edge)) {

@@ -19,11 +19,11 @@
 namespace tricover {
 
 using detail::Bounds;
+using detail::legsOf;
 using detail::SceneState;
 using detail::Slot;
 using detail::Sweep;
 using detail::SweptLeg;
-using detail::legsOf;
 
 namespace {
 

@@ -70,7 +70,8 @@ bool isInterior(const Polygon& polygon, const std::vector<Edge>& edges, const Ve
   for (std::size_t k = 0; k + 1 < ways.size(); ++k) {
     const double middle = (ways[k] + ways[k + 1]) / 2;
     if (ways[k + 1] - ways[k] < 1e-6) continue;
-    if (locationOf(polygon, edges, p + 1e-4 * Vec2(std::cos(middle), std::sin(middle))) != Location::Inside) return false;
+    if (locationOf(polygon, edges, p + 1e-4 * Vec2(std::cos(middle), std::sin(middle))) != Location::Inside)
+      return false;
   }
   return true;
 }
@@ -181,8 +182,8 @@ class Cells {
     const Location in_a = locationOf(a_, edges_a_, p), in_b = locationOf(b_, edges_b_, p);
     const bool held = in_a != Location::Outside && in_b != Location::Outside;
     cells_.push_back({held, held && left < right && low < high,
-                      held && (isInterior(a_, edges_a_, p) || isInterior(b_, edges_b_, p)), yAt(low, left), yAt(high, left),
-                      yAt(low, right), yAt(high, right)});
+                      held && (isInterior(a_, edges_a_, p) || isInterior(b_, edges_b_, p)), yAt(low, left),
+                      yAt(high, left), yAt(low, right), yAt(high, right)});
     parent_.push_back(parent_.size());
   }
 

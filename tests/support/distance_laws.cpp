@@ -137,8 +137,13 @@ std::string wrongSignedDistance(const Case& c, double margin) {
     const DistanceResult deep{-d.upper_bound - margin, d.point_a, d.point_b, d.edge_a, d.edge_b};
     return same(found, deep) && s.normal == d.normal ? "" : "signed: depth";
   }
-  const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b),
-                       left = distance(c.a, c.pose_a, c.b, c.pose_b, options);
+  const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b);
+  if (apart.distance == 0) {
+    // A touch, as contacts() has it: of two common points one is as good.
+    const std::string wrong = wrongPoints(c, {0, s.point_a, s.point_b, s.edge_a, s.edge_b});
+    return s.distance != 0 - margin ? "signed: a touch" : wrong.empty() ? "" : "signed: " + wrong;
+  }
+  const DistanceResult left = distance(c.a, c.pose_a, c.b, c.pose_b, options);
   const double wanted = left.distance > 0 ? left.distance : std::min(apart.distance - margin, 0.0);
   if (!same(found, {wanted, left.point_a, left.point_b, left.edge_a, left.edge_b})) return "signed: distance";
   const Vec2 off = s.point_b - s.point_a - apart.distance * s.normal;

@@ -126,7 +126,8 @@ TEST(Covers, LargeAndSmall) {
 
 TEST(Covers, RefusesWhatItCannotTell) {
   const Polygon area({rectangle(0, 0, 4, 4)});
-  for (const double margin : {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::nan("")}) {
+  for (const double margin :
+       {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::nan("")}) {
     EXPECT_THROW(covers(area, area, margin), std::invalid_argument);
     EXPECT_THROW(together({area}, area, margin), std::invalid_argument);
   }

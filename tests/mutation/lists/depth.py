@@ -15,6 +15,6 @@ MUTATIONS = [
     ("src/depth/inner_arcs.cpp", "if (found.location == Location::Boundary) return {};", "", "depth: an arc's winding number taken from a boundary"),
     ("src/depth/collide.cpp", "depth > allowed : depth >= allowed", "depth >= allowed : depth >= allowed", "negative margins: touching allowed"),
     ("src/depth/signed_distance.cpp", "return {-d.upper_bound - options.margin,", "return {-d.upper_bound,", "signed distance: depths without the margin"),
-    ("src/depth/signed_distance.cpp", "swapped.normal = -swapped.normal;", "", "signed distance: the normal of swapped operands"),
+    ("src/depth/signed_distance.cpp", "result.normal = -result.normal;", "", "signed distance: the normal of swapped operands"),
     ("src/depth/signed_distance.cpp", ".distance - options.margin, 0.0);", ".distance - options.margin, 1.0);", "signed distance: rounding tells on which side of the margin"),
 ]
