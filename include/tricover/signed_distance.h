@@ -9,12 +9,14 @@ namespace tricover {
 
 /// The distance of two regions, or how deep they are in each other, in the world.
 struct SignedDistance {
-  double distance;   ///< A world length, less the margin. Minus the depth where they overlap.
-  Vec2 normal;       ///< A unit vector from a to b: moving b along it increases the distance.
-  Vec2 point_a;      ///< The point of a nearest to b or, of regions that overlap, that of depth().
-  Vec2 point_b;      ///< The same point of b. `point_b` is near point_a + distance * normal, without a margin.
-  EdgeIndex edge_a;  ///< The edge of a that point_a lies on.
-  EdgeIndex edge_b;  ///< The edge of b that point_b lies on.
+  double distance;  ///< A world length, less the margin. Minus the depth where they overlap.
+  Vec2 normal;      ///< A unit vector from a to b: moving b along it increases the distance.
+  Vec2 point_a;     ///< The point of a nearest to b or, of regions that overlap, that of depth().
+  Vec2 point_b;     ///< The same point of b. `point_b` is near point_a + distance * normal, without a margin.
+  /// The edge of a that point_a lies on; where the regions only touch, one that faces b, or goes straight on to
+  /// point_a.
+  EdgeIndex edge_a;
+  EdgeIndex edge_b;  ///< The edge of b likewise.
 };
 
 /// Returns the distance of two closed regions where they are apart, and minus their depth() where they overlap. It is 0

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "exact_reference.h"
 #include "reproduction.h"
 #include "tricover/collide.h"
 #include "tricover/depth.h"
+#include "tricover/segment.h"
 #include "tricover/signed_distance.h"
 
 namespace tricover::support {
@@ -139,9 +141,21 @@ std::string wrongSignedDistance(const Case& c, double margin) {
   }
   const DistanceResult apart = distance(c.a, c.pose_a, c.b, c.pose_b);
   if (apart.distance == 0) {
-    // A touch, as contacts() has it: of two common points one is as good.
-    const std::string wrong = wrongPoints(c, {0, s.point_a, s.point_b, s.edge_a, s.edge_b});
-    return s.distance != 0 - margin ? "signed: a touch" : wrong.empty() ? "" : "signed: " + wrong;
+    // A touch, as contacts() has it: the edges are those that face each other, or that go straight on to the point.
+    if (s.distance != 0 - margin || !(s.point_a == s.point_b)) return "signed: a touch";
+    const double error = 10 * rounding(c) + 0x1p-1048;
+    for (const auto& [polygon, pose, edge] :
+         {std::tuple(&c.a, &c.pose_a, s.edge_a), std::tuple(&c.b, &c.pose_b, s.edge_b)}) {
+      if (!s.point_a.allFinite() || edge < 0) continue;
+      const auto [v, w] = posedEdge(*polygon, *pose, edge);
+      const Vec2 way = (w - v).stableNormalized(), off = s.point_a - v;
+      if (way.allFinite() && (w - v).stableNorm() > error &&
+          !(std::abs(way.x() * off.y() - way.y() * off.x()) <= error))
+        return "signed: the touch isn't where the edge leads";
+      if (!(exact::distanceSquared(*polygon, *pose, point(s.point_a), Pose::Identity()) <= mpq_class(error) * error))
+        return "signed: the touch isn't at the polygon";
+    }
+    return "";
   }
   const DistanceResult left = distance(c.a, c.pose_a, c.b, c.pose_b, options);
   const double wanted = left.distance > 0 ? left.distance : std::min(apart.distance - margin, 0.0);
