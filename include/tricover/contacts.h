@@ -51,8 +51,8 @@ enum class ContactDetail {
   /// and normal are 0. Takes at most twice as long as crossings(), as a rule.
   Points,
   /// Also a depth and a normal, from the outlines around this component of the overlap as if there were no others. A
-  /// simulation, which computes contacts anew at each step, needs no more. Takes four to nine times as long as
-  /// crossings() where the overlap is shallow, and up to a hundred times where hundreds of edges bound it.
+  /// simulation, which computes contacts anew at each step, needs no more. Takes six to nine times as long as
+  /// crossings() where the overlap is shallow, and thirty to forty times where it is deep.
   LocalDepth,
   /// Also, if the overlap is one component, the shortest translation that separates the regions, for callers that want
   /// to be free at once. Takes as long as penetration().
