@@ -79,11 +79,10 @@ class InnerCrossings {
     };
     return isAlong(edge, 1) || isAlong(last, -1);
   }
-  /// Of a ring that is a point, whether that is inside of the other region.
+  /// Whether a ring that is a point is in the interior of the other region; nothing for other rings.
   std::optional<bool> pointInOther(EdgeSides::Operand operand, std::size_t edge) {
-    const bool of_a = operand == EdgeSides::A;
-    if (!beginsPoint(of_a ? pair_.a : pair_.b, edge)) return {};
-    return isInInterior(of_a ? pair_.back() : pair_, edge, of_a ? EdgeSides::B : EdgeSides::A, sides_);
+    if (!beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge)) return {};
+    return isInInterior(pair_, operand, edge, sides_);
   }
 
   const PosedPair& pair_;

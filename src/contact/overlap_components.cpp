@@ -180,25 +180,29 @@ class Grouping : OverlapArcs {
     }
   }
 
-  /// Of edges that lie on each other, with both regions on the same side: cut where polygons meet themselves.
+  /// The stretches that edges of both polygons share, with both regions on the same side. A stretch is cut where a
+  /// polygon meets itself.
   void addCommonPieces(std::vector<OverlapComponent>& components) const {
     std::vector<double> cuts;
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       const EdgeCrossing& c = crossings_[k];
+      const Ends a = ends(0, c.edge[0]), b = ends(1, c.edge[1]);
+      const bool alike = (a.w - a.v).dot(b.w - b.v) > 0;
       cuts = {0, 1};
-      for (const int side : {0, 1}) addCuts(side, c, cuts);
+      addCuts(0, c, true, cuts);
+      addCuts(1, c, alike, cuts);
       std::sort(cuts.begin(), cuts.end());
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-        addCommonPiece(c, cuts[i], cuts[i + 1], components[nodes_[k].component].pieces);
+        addCommonPiece(c, alike, cuts[i], cuts[i + 1], components[nodes_[k].component].pieces);
     }
   }
 
-  /// The shares of a stretch that two edges have in common, seen along a's, where one side's edge has stops.
-  void addCuts(int side, const EdgeCrossing& c, std::vector<double>& cuts) const {
+  /// The shares of a stretch that two edges have in common, seen along a's, where one side's edge has stops. `alike`:
+  /// whether that edge runs as a's does.
+  void addCuts(int side, const EdgeCrossing& c, bool alike, std::vector<double>& cuts) const {
     const auto& stops = sides_[side].stops;
     const double length = c.on[side].high - c.on[side].low;
     if (!(length > 0)) return;
-    const bool alike = side == 0 || runsAlike(c);
     const auto first =
         std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < c.edge[side]; });
     for (auto stop = first; stop != stops.end() && stop->edge == c.edge[side]; ++stop)
@@ -208,21 +212,14 @@ class Grouping : OverlapArcs {
       }
   }
 
-  bool runsAlike(const EdgeCrossing& c) const {
-    const Ends a = ends(0, c.edge[0]), b = ends(1, c.edge[1]);
-    return (a.w - a.v).dot(b.w - b.v) > 0;
-  }
-
-  void addCommonPiece(const EdgeCrossing& c, double from, double to, std::vector<OutlinePiece>& common) const {
-    const auto partOf = [&](int side) {
-      const auto [low, high] = c.on[side];
-      const bool alike = side == 0 || runsAlike(c);
-      return Span{low + (alike ? from : 1 - to) * (high - low), low + (alike ? to : 1 - from) * (high - low)};
+  void addCommonPiece(const EdgeCrossing& c, bool alike, double from, double to,
+                      std::vector<OutlinePiece>& common) const {
+    const auto part = [](const Span& on, double begin, double end) {
+      return Span{on.low + begin * (on.high - on.low), on.low + end * (on.high - on.low)};
     };
     OutlinePiece pieces[2];
-    for (const int side : {0, 1})
-      if (!makePiece(side, c.edge[side], partOf(side), pieces[side])) return;
-    const bool alike = runsAlike(c);
+    if (!makePiece(0, c.edge[0], part(c.on[0], from, to), pieces[0])) return;
+    if (!makePiece(1, c.edge[1], alike ? part(c.on[1], from, to) : part(c.on[1], 1 - to, 1 - from), pieces[1])) return;
     const auto share = [&](bool left_of_a) {
       return left_of_a ? pieces[0].left && (alike ? pieces[1].left : pieces[1].right)
                        : pieces[0].right && (alike ? pieces[1].right : pieces[1].left);

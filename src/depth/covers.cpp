@@ -24,8 +24,8 @@ Polygon edgesOf(const std::vector<PosedPair>& part_and_areas, const Vec2& from) 
   return Polygon(rings);
 }
 
-/// Of an edge of all areas, in the first area, or -1. Vertices that rounding makes one keep their numbers, not their
-/// positions.
+/// The position in the first area of an edge of all areas; -1 for another area's. Vertices that rounding makes one keep
+/// their numbers, not their positions.
 std::ptrdiff_t positionIn(const PolygonData& first, const PolygonData& all, std::size_t position) {
   const std::size_t ring = all.ringOf(position);
   if (ring >= first.ringCount()) return -1;

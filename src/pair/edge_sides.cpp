@@ -255,8 +255,10 @@ void EdgeSides::look(std::size_t piece) {
   if (inside && (operand_ == A ? others.left && others.right : first.left && first.right)) in_other_.push_back(piece);
   if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
   if (is_bare) bare_.push_back(piece);
-  (own.left != own.right ? is_border_ : is_seam_) = true;
-  if (own.left != own.right) borders_.push_back(piece);
+  if (own.left != own.right)
+    borders_.push_back(piece);
+  else
+    is_seam_ = true;
 }
 
 std::vector<EdgeSides::Piece> EdgeSides::pieces() const {

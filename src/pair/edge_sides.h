@@ -91,7 +91,7 @@ class EdgeSides {
     return isAnyUntil(in_other_, edges, side);
   }
   /// Whether along some piece of it that polygon has its inside on one side alone; or on both, or on none.
-  bool isBorder() const { return is_border_; }
+  bool isBorder() const { return !borders_.empty(); }
   bool isSeam() const { return is_seam_; }
   struct Piece {
     double from, to;   ///< places, rounded: 0 at its start, 1 at its end
@@ -162,7 +162,7 @@ class EdgeSides {
   std::vector<std::size_t> bare_;      ///< those beside which it has that on neither
   std::vector<std::size_t> in_other_;  ///< those in the interior of the other region of a pair
   std::vector<std::size_t> borders_;   ///< those beside which its own polygon has its inside on one side alone
-  bool is_border_ = false, is_seam_ = false;
+  bool is_seam_ = false;
 };
 
 /// The sides of edges, each looked at once, when it is asked for: from one to the next around their common vertex.

@@ -46,9 +46,8 @@ class InteriorSearch {
 
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
-    const PosedPair other = operand == EdgeSides::A ? pair_.back() : pair_;
-    if (beginsPoint(other.b, edge))
-      return isInInterior(other, edge, operand == EdgeSides::A ? EdgeSides::B : EdgeSides::A, sides_);
+    if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))
+      return isInInterior(pair_, operand, edge, sides_);
     const EdgeSides& sides = sides_.of(operand, edge);
     has_bare_[operand] |= sides.isBare();
     return sides.hasSought() || sides.isInOther();
@@ -71,7 +70,10 @@ class InteriorSearch {
 
 }  // namespace
 
-bool isInInterior(const PosedPair& pair, std::size_t edge, EdgeSides::Operand of_a, KnownSides& sides) {
+bool isInInterior(const PosedPair& given, EdgeSides::Operand operand, std::size_t edge, KnownSides& sides) {
+  // The point is b's from here on.
+  const PosedPair pair = operand == EdgeSides::A ? given.back() : given;
+  const EdgeSides::Operand other = operand == EdgeSides::A ? EdgeSides::B : EdgeSides::A;
   const Vec2& point = pair.b.path[edge];
   const Location location = locateInA(pair, point);
   if (location != Location::Boundary) return location == Location::Inside;
@@ -82,7 +84,7 @@ bool isInInterior(const PosedPair& pair, std::size_t edge, EdgeSides::Operand of
     if (pair.a.path[e] == pair.a.path[e + 1]) return true;  // it may be that point
     if (edgesMeet(pair, e, edge)) {
       is_on_edge = true;
-      is_inner = sides.of(of_a, e).isSeamAt(edge);
+      is_inner = sides.of(other, e).isSeamAt(edge);
     } else {
       around.add(e);
     }

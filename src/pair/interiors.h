@@ -12,9 +12,9 @@ namespace tricover::detail {
 /// operands are.
 bool interiorsMeet(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b);
 
-/// Whether a point of b, at an edge of its operand that is a point, is in the interior of a. The edges of a that it is
-/// on are seams then. Exact.
-bool isInInterior(const PosedPair& pair, std::size_t edge, EdgeSides::Operand of_a, KnownSides& sides);
+/// Whether an operand's edge, of a ring that is a point, is in the interior of the other region. The other's edges that
+/// it is on are seams then. Exact.
+bool isInInterior(const PosedPair& pair, EdgeSides::Operand operand, std::size_t edge, KnownSides& sides);
 
 /// Whether that is what a query asks. With a margin it asks for a distance below it, edge by edge. With a tolerance
 /// touching is within it, and may collide.

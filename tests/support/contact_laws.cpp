@@ -157,7 +157,7 @@ std::string wrongLocalDepths(const Case& c, const std::vector<Contact>& found) {
       }
       return length;
     };
-    // What runs along a border has no width.
+    // A way along a border has no width: it ends just beside.
     const Vec2 aside = 64 * rounding(c) * Vec2(-contact.normal.y(), contact.normal.x());
     const double length =
         std::min({widthAt(contact.point), widthAt(contact.point + aside), widthAt(contact.point - aside)});

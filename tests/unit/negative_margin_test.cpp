@@ -98,13 +98,13 @@ TEST(NegativeMargin, ComparesDepths) {
 TEST(NegativeMargin, AgreesWithDepth) {
   Random random(4);
   int deep = 0;
-  const int cases = scaledCount(1000);
+  const int cases = std::max(50, scaledCount(1000));
   for (int i = 0; i < cases; ++i) {
     const auto any = [&] { return Polygon(random.coin() ? anyConvex(random, 1, 12) : star(random, 9, 0.4, 1.2)); };
     const Polygon a = any(), b = any();
     const Pose pose_a = support::pose(random.real(0, 6), 0, 0),
                pose_b = support::pose(random.real(0, 6), random.real(-1.3, 1.3), random.real(-1.3, 1.3));
-    const double depth = tricover::depth(a, pose_a, b, pose_b).upper_bound, overlap = random.real(0.01, 0.5);
+    const double depth = tricover::depth(a, pose_a, b, pose_b).upper_bound, overlap = random.real(0.01, 0.7);
     deep += depth >= overlap;
     EXPECT_EQ(deeper(overlap, a, pose_a, b, pose_b), depth >= overlap) << i;
     if (depth == 0) continue;
@@ -114,7 +114,7 @@ TEST(NegativeMargin, AgreesWithDepth) {
     EXPECT_FALSE(deeper(nudged(depth, 1), a, pose_a, b, pose_b)) << i;
   }
   EXPECT_GT(deep, cases / 5);
-  EXPECT_LT(deep, cases);
+  EXPECT_LT(deep, cases / 5 * 4);
 }
 
 TEST(NegativeMargin, RefusesWhatMeansNothing) {

@@ -1,12 +1,12 @@
 """What the module answers, how it takes arrays, and what it refuses."""
 import ast
 import copy
+import math
 import os
 import sys
 import tempfile
 import threading
 import time
-import math
 import unittest
 
 import numpy as np

@@ -11,7 +11,7 @@ MUTATIONS = [
     ("src/pair/edge_sides.cpp", "sign(q, r, v_) * slant < 0 && ", "sign(q, r, v_) * slant <= 0 && ", "interiors: edges at the end of the way are passed twice"),
     ("src/pair/edge_sides.cpp", "return is_alone = found == edge ||", "return is_alone = true ||", "interiors: edges that cross aren't alone"),
     ("src/pair/interiors.cpp", "has_bare_[operand] |= sides.isBare();", "", "interiors: edges without area lead there"),
-    ("src/pair/interiors.cpp", "    if (beginsPoint(other.b, edge))\n      return isInInterior(other, edge, operand == EdgeSides::A ? EdgeSides::B : EdgeSides::A, sides_);\n", "", "interiors: of points"),
+    ("src/pair/interiors.cpp", "    if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))\n      return isInInterior(pair_, operand, edge, sides_);\n", "", "interiors: of points"),
     ("src/pair/edge_sides.cpp", "!others.left && !others.right && !has_along;", "!others.left && !others.right;", "covers: areas without an interior cover nothing"),
     ("src/pair/edge_sides.cpp", "if (!inside && operand_ != A && !(others.left && others.right))", "if (!inside && operand_ != A)", "covers: seams are boundaries"),
     ("src/pair/covers.cpp", "if (part_.isDegenerate()) return true;", "return true;", "covers: holes inside of the part"),
