@@ -105,8 +105,7 @@ class DeepImpact {
 
  private:
   void expand(Piece&& piece) {
-    const Room room = widestRoom(piece.touches, of_.allowed);
-    if (room.left > near_ && piece.at_once < kMostAtOnce && advance(piece, room.shift)) return;
+    if (leaves(piece)) return;
     const double time = piece.least;
     const Measured deep = measure(piece);
     // After a proven interval an impact is as early as ordinary ones are.
@@ -115,12 +114,24 @@ class DeepImpact {
       return;
     }
     if (time >= 1) return;
+    // Of several ways out another one may be the shortest by now.
+    const auto isKnownWay = [&](const Touch& touch) { return touch.normal.dot(deep.touch.normal) > 0.875; };
+    if (std::none_of(piece.touches.begin(), piece.touches.end(), isKnownWay)) {
+      piece.touches = {deep.touch};
+      if (leaves(piece)) return;
+    }
     if (deep.most < of_.allowed - near_ && cut(piece, of_.allowed - deep.most)) return;
     const double proven = std::max(of_.allowed - deep.most, of_.precision) / of_.speed;
     piece.least = std::min(time + proven, 1.0);
     piece.touches.clear();
     piece.at_once = 0;
     pieces_.push(std::move(piece));
+  }
+
+  /// Goes on with the translation that leaves the most room, if that is any.
+  bool leaves(Piece& piece) {
+    const Room room = widestRoom(piece.touches, of_.allowed);
+    return room.left > near_ && piece.at_once < kMostAtOnce && advance(piece, room.shift);
   }
 
   struct Measured {

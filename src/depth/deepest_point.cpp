@@ -4,7 +4,9 @@
 // The distance from one edge of the area is convex. So over a segment or a triangle it is at most the affine function
 // with its values at the corners, and the distance from the area is at most the Peak of these functions for any choice
 // of edges. The area's edge nearest to that peak joins the choice next: the bound is exact once the choice holds the
-// edges that are nearest at the true maximum, as long as their feet are inside of them, and converges elsewhere.
+// edges that are nearest at the true maximum, as long as their feet are inside of them, and converges elsewhere. From
+// the deepest point so far the search climbs along the edges' tangents (Newton's step) to the maximum beside it, and
+// cuts there: what is left beside an exact maximum is bounded by it.
 //
 // The maximum is at a point of the part's edges, on an arc outside of the area, or in the part's interior. There it is
 // a local maximum of the distance from the area alone: no direction leads away from all nearest points. A cell that has
@@ -37,6 +39,8 @@ constexpr std::size_t kMostSteps = std::size_t{1} << 17;
 constexpr std::size_t kMostEdges = 48;
 /// At the peak of a piece, then it is cut.
 constexpr int kMostLooks = 24;
+/// Of the distance in a cell: one that reaches farther is cut before it is looked at closely.
+constexpr double kLargeCell = 0.5;
 
 /// A part of the part: a chain of several edges, or a simplex (an edge, or a triangle of the plane).
 struct Piece {
@@ -122,14 +126,16 @@ class DepthSearch {
         });
   }
 
-  void offer(const Vec2& point, const PosedSide::Near& near, std::ptrdiff_t edge) {
-    if (!(-near.distance < search_.upper) || !(near.distance > best_.distance)) return;
+  /// Returns whether it is the deepest one so far.
+  bool offer(const Vec2& point, const PosedSide::Near& near, std::ptrdiff_t edge) {
+    if (!(-near.distance < search_.upper) || !(near.distance > best_.distance)) return false;
     best_.distance = near.distance;
     best_.point = point;
     best_.nearest = near.point;
     best_.edge = edge;
     best_.nearest_edge = static_cast<std::ptrdiff_t>(near.edge);
     search_.upper = -near.distance;
+    return true;
   }
 
   // Chains.
@@ -160,6 +166,7 @@ class DepthSearch {
         return;
       case Look::NewEdge:
         return pushChain(chain);
+      case Look::Deepest:
       case Look::NothingNew:
         break;
     }
@@ -176,7 +183,7 @@ class DepthSearch {
     return static_cast<std::ptrdiff_t>(arcs_.edges[std::min(at, piece.to - 1)]);
   }
 
-  enum class Look { NewEdge, NothingNew, InArea };
+  enum class Look { NewEdge, Deepest, NothingNew, InArea };
   /// Looks at a point of a chain or an edge: which edge of the area is the nearest? An arc that is in the area at a
   /// point away from the borders is there as a whole.
   Look look(Piece& piece, const Vec2& point, std::ptrdiff_t edge) {
@@ -185,8 +192,8 @@ class DepthSearch {
       piece.is_known = isOutside(point);
       if (!piece.is_known) return Look::InArea;
     }
-    offer(point, near, edge);
-    return piece.addEdge(near.edge) ? Look::NewEdge : Look::NothingNew;
+    const bool is_deepest = offer(point, near, edge), is_new = piece.addEdge(near.edge);
+    return is_new ? Look::NewEdge : is_deepest ? Look::Deepest : Look::NothingNew;
   }
 
   // Edges and cells.
@@ -225,16 +232,30 @@ class DepthSearch {
     for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
   }
 
+  /// From a place that was looked at to the peak of its edges' tangents.
+  void climb(Piece& simplex) {
+    const auto corners = static_cast<std::size_t>(simplex.corners);
+    Peak peak(corners);
+    for (std::size_t k = 0; k < simplex.edge_count; ++k) {
+      const Vec2 way = simplex.place - area_.foot(simplex.edges[k], simplex.place);
+      const double far = way.norm();
+      if (!(far > 0)) return;
+      OfCorners tangent{};
+      for (std::size_t c = 0; c < corners; ++c) tangent[c] = far + way.dot(simplex.corner[c] - simplex.place) / far;
+      peak.add(tangent);
+    }
+    simplex.place = Vec2::Zero();
+    for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
+  }
+
   void expandEdge(Piece& edge) {
     const Vec2 place = edge.place;
-    switch (look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]))) {
-      case Look::InArea:
-        return;
-      case Look::NewEdge:
-        if (++edge.looks < kMostLooks) return pushSimplex(edge);
-        break;
-      case Look::NothingNew:
-        break;
+    const Look found = look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]));
+    if (found == Look::InArea) return;
+    if (found != Look::NothingNew && ++edge.looks < kMostLooks) {
+      bound(edge);
+      if (found == Look::Deepest) edge.place = place, climb(edge);
+      return search_.push(edge);
     }
     const Vec2 middle = cutOf(edge.corner[0], edge.corner[1], place);
     for (const auto& [v, w] : {std::pair(edge.corner[0], middle), std::pair(middle, edge.corner[1])}) {
@@ -245,11 +266,12 @@ class DepthSearch {
     }
   }
 
-  /// Where to cut a segment: at a place of it, unless that is near an end.
-  static Vec2 cutOf(const Vec2& v, const Vec2& w, const Vec2& place) {
+  /// Where to cut a segment: at the deepest point, or else at a place of it, unless that is near an end.
+  Vec2 cutOf(const Vec2& v, const Vec2& w, const Vec2& place) const {
     const double length = (w - v).norm();
-    const bool is_inside = (place - v).norm() > 0x1p-4 * length && (w - place).norm() > 0x1p-4 * length;
-    return is_inside ? place : Vec2(0.5 * v + 0.5 * w);
+    const auto isInside = [&](const Vec2& p, double room) { return (p - v).norm() > room && (w - p).norm() > room; };
+    if ((best_.point - place).norm() <= 16 * frame_.error() && isInside(best_.point, 0)) return best_.point;
+    return isInside(place, 0x1p-4 * length) ? place : Vec2(0.5 * v + 0.5 * w);
   }
 
   // Cells of the plane, where the part's interior may be.
@@ -279,15 +301,11 @@ class DepthSearch {
     for (const Vec2& p : {v, u, w, t}) most = std::max(most, distance(near.edge, p));
     most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
     if (most + search_.upper <= precision_) return;
-    const bool is_wide = box.sizes().x() > box.sizes().y();
-    const bool are_all = gather(is_wide ? corner(0, 0.5) : corner(0.5, 0), is_wide ? corner(1, 0.5) : corner(0.5, 1),
-                                0.5 * box.sizes().minCoeff() + most);
-    if (are_all && leadsAway()) return;
     for (const Vec2& p : {u, t}) {
       Piece cell{-most, 3};
       cell.corner = {v, w, p};
-      cell.place = (v + w + p) / 3;
-      search_.push(cell);
+      cell.place = centerOf(cell);
+      if (!gatherNearest(cell) || !leadsAway()) search_.push(cell);
     }
   }
 
@@ -308,13 +326,13 @@ class DepthSearch {
 
   void expandCell(Piece& cell) {
     const Vec2 place = cell.place;
-    double reach = 0;
-    for (const Vec2& corner : cell.corner) reach = std::max(reach, (corner - place).norm());
+    const double reach = reachOf(cell, place);
     const PosedSide::Near near = area_.nearest(place);
     const bool is_outside = isOutside(place);
     if (!is_outside && near.distance > reach) return;
     const bool is_in_part = part_.locate(place) != Location::Outside;
-    if (is_outside && is_in_part) offer(place, near, -1);
+    if (!is_in_part && part_.nearest(place).distance > reach) return;
+    const bool is_deepest = is_outside && is_in_part && offer(place, near, -1);
     cell.least = std::max(cell.least, (is_outside ? -near.distance : near.distance) - reach);
     const bool is_new = cell.addEdge(near.edge);
     bound(cell);
@@ -322,17 +340,19 @@ class DepthSearch {
     // In a convex region the depth is concave: where its peak in the cell isn't in the part, no inner point of that is
     // one.
     if (is_concave_ && !is_in_part && is_outside && near.distance + precision_ >= -cell.least) return;
-    // A cell is first looked at in its middle, then at its peak.
-    if ((is_new || cell.looks == 0) && ++cell.looks < kMostLooks) return search_.push(cell);
-    if (!is_in_part && part_.nearest(place).distance > reach) return;
-    const std::size_t side = longestSideOf(cell);
-    const Vec2 &from = cell.corner[side], &to = cell.corner[(side + 1) % 3];
-    const double height = heightOf(cell);
-    if (!gather(from, to, height - cell.least)) return cut(cell, nullptr);
+    // A large cell is looked at in its middle, another one then at its peak, too.
+    const bool is_large = !is_concave_ && reach > -kLargeCell * cell.least;
+    if (!is_large && (is_new || is_deepest || cell.looks == 0) && ++cell.looks < kMostLooks) {
+      if (is_deepest) cell.place = place, climb(cell);
+      return search_.push(cell);
+    }
+    if (!is_large && cutAtDeepest(cell)) return;
+    if (!gatherNearest(cell)) return cut(cell, nullptr);
     if (leadsAway()) return;
+    if (is_large) return cut(cell, nullptr);
     std::optional<Ends> crossing = edgeAcross(cell, area_, edges_);
     if (!crossing && (isInArea(cell) || leadsAwayFrom(cell))) return;
-    if (!crossing && gather(part_, from, to, height, part_edges_)) {
+    if (!crossing && gather(part_, cell, 0, part_edges_)) {
       crossing = edgeAcross(cell, part_, part_edges_);
       if (!crossing && isOutsideOfPart(cell)) return;
     }
@@ -350,18 +370,26 @@ class DepthSearch {
   }
   static Vec2 centerOf(const Piece& cell) { return (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3; }
 
-  /// Finds the area's edges within reach of a segment. False if there are too many.
-  bool gather(const Vec2& from, const Vec2& to, double reach) { return gather(area_, from, to, reach, edges_); }
+  static double reachOf(const Piece& cell, const Vec2& place) {
+    double reach = 0;
+    for (const Vec2& corner : cell.corner) reach = std::max(reach, (corner - place).norm());
+    return reach;
+  }
 
-  static bool gather(const PosedSide& side, const Vec2& from, const Vec2& to, double reach,
-                     std::vector<std::size_t>& edges) {
-    const Vec2 middle = 0.5 * from + 0.5 * to;
-    const double farthest = reach + 0.5 * (to - from).norm();
+  /// Finds the area's edges that may be the nearest ones somewhere in a cell. False if there are too many.
+  bool gatherNearest(const Piece& cell) { return gather(area_, cell, -cell.least, edges_); }
+
+  /// Finds edges within reach of a cell.
+  static bool gather(const PosedSide& side, const Piece& cell, double reach, std::vector<std::size_t>& edges) {
+    const std::size_t longest = longestSideOf(cell);
+    const Vec2 center = centerOf(cell);
+    const double farthest = reach + reachOf(cell, center);
     edges.clear();
-    side.forEachNear(from, to, reach, [&](std::size_t edge) {
-      if (side.distance(edge, middle) <= farthest) edges.push_back(edge);
-      return edges.size() < kMostEdges;
-    });
+    side.forEachNear(cell.corner[longest], cell.corner[(longest + 1) % 3], reach + heightOf(cell),
+                     [&](std::size_t edge) {
+                       if (side.distance(edge, center) <= farthest) edges.push_back(edge);
+                       return edges.size() < kMostEdges;
+                     });
     return edges.size() < kMostEdges;
   }
 
@@ -437,6 +465,24 @@ class DepthSearch {
     for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
   }
 
+  /// Cuts a cell at the deepest point so far, if that is in it.
+  bool cutAtDeepest(const Piece& cell) {
+    const Vec2& p = best_.point;
+    const auto turn = [&](std::size_t c) {
+      return cross(cell.corner[(c + 1) % 3] - cell.corner[c], p - cell.corner[c]);
+    };
+    const bool is_inside = (turn(0) > 0 && turn(1) > 0 && turn(2) > 0) || (turn(0) < 0 && turn(1) < 0 && turn(2) < 0);
+    if (!(best_.distance > 0 && is_inside)) return false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      Piece third = cell;
+      third.corner[c] = p;
+      third.looks = 0;
+      third.place = centerOf(third);
+      search_.push(third);
+    }
+    return true;
+  }
+
   static double heightOf(const Piece& cell) {
     const std::size_t side = longestSideOf(cell);
     const Vec2 &v = cell.corner[side], along = cell.corner[(side + 1) % 3] - v;
@@ -460,7 +506,7 @@ class DepthSearch {
       half.corner = {kept[0], kept[i - 1], kept[i]};
       if (heightOf(half) <= 0.25 * frame_.error()) continue;  // but for rounding the neighbours hold it
       half.looks = 0;
-      half.place = (kept[0] + kept[i - 1] + kept[i]) / 3;
+      half.place = centerOf(half);
       search_.push(half);
     }
   }

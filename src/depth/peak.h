@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -52,12 +53,17 @@ class Peak {
     std::array<OfCorners, 3 + kMost + 1> all;
     std::size_t count;
   };
-  /// What is left of a convex polygon where one function is not below the other.
+  /// What is left of a convex polygon where one function is not below the other, but for rounding: two functions that
+  /// are the same leave all of it.
   static Corners clipped(const Corners& polygon, const OfCorners& above, const OfCorners& below) {
+    double rounding = 0;
+    for (const double value : above) rounding = std::max(rounding, 0x1p-50 * std::abs(value));
+    for (const double value : below) rounding = std::max(rounding, 0x1p-50 * std::abs(value));
+    const auto room = [&](const OfCorners& p) { return valueAt(above, p) - valueAt(below, p) + rounding; };
     Corners kept{{}, 0};
     for (std::size_t i = 0; i < polygon.count; ++i) {
       const OfCorners &p = polygon.all[i], &q = polygon.all[i + 1 < polygon.count ? i + 1 : 0];
-      const double at_p = valueAt(above, p) - valueAt(below, p), at_q = valueAt(above, q) - valueAt(below, q);
+      const double at_p = room(p), at_q = room(q);
       if (at_p >= 0) kept.add(p);
       if ((at_p < 0) == (at_q < 0)) continue;
       const double t = at_p / (at_p - at_q);

@@ -119,8 +119,9 @@ std::string wrongBesideOthers(Random& random, const Case& c, const Depth& found)
   const double error = 2 * depthPrecision(c);
   if (!c.a.isComplement() && !c.b.isComplement()) {
     const auto way = penetration(c.a, c.pose_a, c.b, c.pose_b);
-    const double most = way ? way->depth : 0;
-    if (!(found.depth <= most + error)) return valued("deeper than the penetration", found.depth, most);
+    // Proven to part them; penetration's depth is less precise.
+    const double most = way ? std::max(way->depth, length(way->translation)) : 0;
+    if (!(found.depth <= most + error)) return valued("deeper than a translation that parts them", found.depth, most);
   }
   Case moved = c;
   const double size = std::min({c.a.radius(), c.b.radius(), 1e300});

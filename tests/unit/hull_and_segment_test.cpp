@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The convex hull by its laws, on a grid where signs are exact; nearest points of segments; the operands' order.
+// The convex hull by its laws, on a grid where signs are exact; nearest points of segments; peaks of affine functions;
+// the operands' order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "depth/peak.h"
 #include "numbers/convex_hull.h"
 #include "numbers/segment.h"
 #include "pair/kernel_order.h"
@@ -17,6 +20,9 @@ namespace {
 
 using detail::cross;
 using detail::nearestOnSegment;
+using detail::OfCorners;
+using detail::Peak;
+using detail::valueAt;
 
 std::vector<Vec2> hull(std::vector<Vec2> points) {
   return detail::convexHull(
@@ -116,6 +122,36 @@ TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
     change(other);
     EXPECT_NE(detail::inOrder(a.data(), still, a.data(), other), detail::inOrder(a.data(), other, a.data(), still));
   }
+}
+
+/// Functions that are the same but for rounding, of edges in line, take nothing away from their peak.
+TEST(Peak, IsNowhereBelowItsFunctions) {
+  int repeated = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const std::size_t corners = random.coin() ? 2 : 3;
+    std::vector<OfCorners> functions;
+    Peak peak(corners);
+    for (std::size_t k = 0; k < Peak::kMost; ++k) {
+      OfCorners function{};
+      const bool repeats = k > 0 && random.coin();
+      for (std::size_t c = 0; c < corners; ++c)
+        function[c] = repeats ? functions[0][c] * (1 + random.integer(-2, 2) * 0x1p-52)
+                              : random.integer(0, 4) + random.real(0, 1);
+      repeated += repeats;
+      functions.push_back(function);
+      peak.add(function);
+    }
+    for (int k = 0; k <= 200; ++k) {
+      OfCorners place{k == 0 ? 1 : random.real(0, 1), 0, 0};
+      place[1] = (1 - place[0]) * (corners == 3 ? random.real(0, 1) : 1);
+      place[2] = 1 - place[0] - place[1];
+      double least = std::numeric_limits<double>::infinity();
+      for (const OfCorners& function : functions) least = std::min(least, valueAt(function, place));
+      ASSERT_LE(least, peak.value + 1e-14) << i;
+    }
+  }
+  EXPECT_GT(repeated, 0);
 }
 
 }  // namespace
