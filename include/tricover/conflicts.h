@@ -34,8 +34,8 @@ struct Conflict {
 /// The search has a budget: that of each timeOfImpact(), and some steps along contacts for each edge, and each radian
 /// that the polygons rotate by. If one of these ends, the last interval reaches to 1 and has `budget_ended` set.
 /// `ignore_initial` doesn't leave such an interval out. With a negative margin there are 2^14 steps, each as long as
-/// the overlap stays as deep by its depth and the speed, or half a `time_error`: enough but for an overlap that stays
-/// exactly as deep as is allowed, of polygons that are not convex or rotate.
+/// the overlap stays as deep by its depth and the speed, or its deepest point stays so deep, or half a `time_error`:
+/// enough but for an overlap that stays exactly as deep as is allowed while its deepest point changes.
 ///
 /// A `time_error` below 1e-9 is taken for that.
 ///

@@ -23,6 +23,7 @@
 #include "depth/directions.h"
 #include "depth/inner_arcs.h"
 #include "depth/peak.h"
+#include "depth/piece.h"
 #include "depth/posed_side.h"
 #include "numbers/best_first.h"
 #include "pair/edge_pairs.h"
@@ -39,34 +40,8 @@ constexpr std::size_t kMostSteps = std::size_t{1} << 17;
 constexpr std::size_t kMostEdges = 48;
 /// At the peak of a piece, then it is cut.
 constexpr int kMostLooks = 24;
-/// Of the distance in a cell: one that reaches farther is cut before it is looked at closely.
-constexpr double kLargeCell = 0.5;
-
-/// A part of the part: a chain of several edges, or a simplex (an edge, or a triangle of the plane).
-struct Piece {
-  bool operator<(const Piece& other) const { return least > other.least; }
-
-  double least;                                     ///< minus the upper bound of distances in it
-  int corners;                                      ///< 2 or 3; 0 for a chain
-  bool is_known = true;                             ///< whether it is certainly outside of the area
-  std::size_t from = 0, to = 0;                     ///< a chain's points; an edge is `from`
-  std::size_t at = 0;                               ///< the chain's point to look at next
-  std::array<Vec2, 3> corner = {};                  ///< a simplex'
-  Vec2 place = Vec2::Zero();                        ///< the place in it to look at next
-  std::array<std::size_t, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
-  std::size_t edge_count = 0;
-  int looks = 0;  ///< at its peak, since it was cut
-
-  /// Returns whether it is another one. If there are too many, the one that bounds least at the place goes.
-  bool addEdge(std::size_t edge) {
-    for (std::size_t k = 0; k < edge_count; ++k)
-      if (edges[k] == edge) return false;
-    if (edge_count < edges.size()) ++edge_count;
-    for (std::size_t k = edge_count - 1; k > 0; --k) edges[k] = edges[k - 1];
-    edges[0] = edge;
-    return true;
-  }
-};
+/// Of the distance in a cell: a cell that is higher is cut before it is looked at closely.
+constexpr double kLargeCell = 0.4;
 
 class DepthSearch {
  public:
@@ -341,7 +316,7 @@ class DepthSearch {
     // one.
     if (is_concave_ && !is_in_part && is_outside && near.distance + precision_ >= -cell.least) return;
     // A large cell is looked at in its middle, another one then at its peak, too.
-    const bool is_large = !is_concave_ && reach > -kLargeCell * cell.least;
+    const bool is_large = !is_concave_ && heightOf(cell) > -kLargeCell * cell.least;
     if (!is_large && (is_new || is_deepest || cell.looks == 0) && ++cell.looks < kMostLooks) {
       if (is_deepest) cell.place = place, climb(cell);
       return search_.push(cell);
@@ -368,14 +343,6 @@ class DepthSearch {
     const Vec2 center = centerOf(cell);
     return part_.nearest(center).distance > 4 * frame_.error() && part_.locate(center) == Location::Outside;
   }
-  static Vec2 centerOf(const Piece& cell) { return (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3; }
-
-  static double reachOf(const Piece& cell, const Vec2& place) {
-    double reach = 0;
-    for (const Vec2& corner : cell.corner) reach = std::max(reach, (corner - place).norm());
-    return reach;
-  }
-
   /// Finds the area's edges that may be the nearest ones somewhere in a cell. False if there are too many.
   bool gatherNearest(const Piece& cell) { return gather(area_, cell, -cell.least, edges_); }
 
@@ -391,15 +358,6 @@ class DepthSearch {
                        return edges.size() < kMostEdges;
                      });
     return edges.size() < kMostEdges;
-  }
-
-  static std::size_t longestSideOf(const Piece& cell) {
-    std::size_t longest = 0;
-    double length = -1;
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const double side = (cell.corner[(c + 1) % 3] - cell.corner[c]).norm(); side > length)
-        length = side, longest = c;
-    return longest;
   }
 
   /// The same by the directions from the nearest points of edges that don't lead through the cell.
@@ -467,27 +425,15 @@ class DepthSearch {
 
   /// Cuts a cell at the deepest point so far, if that is in it.
   bool cutAtDeepest(const Piece& cell) {
-    const Vec2& p = best_.point;
-    const auto turn = [&](std::size_t c) {
-      return cross(cell.corner[(c + 1) % 3] - cell.corner[c], p - cell.corner[c]);
-    };
-    const bool is_inside = (turn(0) > 0 && turn(1) > 0 && turn(2) > 0) || (turn(0) < 0 && turn(1) < 0 && turn(2) < 0);
-    if (!(best_.distance > 0 && is_inside)) return false;
+    if (!(best_.distance > 0 && isInside(cell, best_.point))) return false;
     for (std::size_t c = 0; c < 3; ++c) {
       Piece third = cell;
-      third.corner[c] = p;
+      third.corner[c] = best_.point;
       third.looks = 0;
       third.place = centerOf(third);
       search_.push(third);
     }
     return true;
-  }
-
-  static double heightOf(const Piece& cell) {
-    const std::size_t side = longestSideOf(cell);
-    const Vec2 &v = cell.corner[side], along = cell.corner[(side + 1) % 3] - v;
-    const double length = along.norm();
-    return length > 0 ? std::abs(cross(along, cell.corner[(side + 2) % 3] - v)) / length : 0;
   }
 
   /// What is on one side of a line, as a fan.

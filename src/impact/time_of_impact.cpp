@@ -58,8 +58,7 @@ EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingEdge& 
 /// One polygon holds a ring of the other at time 0, and no edges meet.
 Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
   const Vec2 between = pair.a.places(0, 0).originTo(pair.b.places(0, 0));
-  const double apart = between.norm();
-  Impact impact{0, Vec2::Zero(), apart > 0 ? Vec2(between / apart) : Vec2(1, 0), -1, -1};
+  Impact impact{0, Vec2::Zero(), between.isZero(0) ? Vec2(1, 0) : between.stableNormalized(), -1, -1};
   const auto vertex = [&](const Mover& mover, std::ptrdiff_t edge) {
     const auto position = static_cast<std::size_t>(edge);
     impact.point = mover.motion->start * mover.polygon->path[position];
@@ -77,7 +76,7 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
   const MovingEdge a = pair.a.ends(places_a, 0, position_a), b = pair.b.ends(places_b, 0, position_b);
   const NearestPoints nearest(a, b, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
-                          ? Vec2((nearest.on_b - nearest.on_a) / nearest.distance)
+                          ? Vec2(nearest.on_b - nearest.on_a).stableNormalized()
                           : normalOfTouch(a, b, places_a.originTo(places_b), pair.error);
   assert(0 <= found.time && found.time <= 1 && std::abs(normal.norm() - 1) < 0x1p-40);
   return {found.time,

@@ -333,6 +333,48 @@ TEST(Excess, NamesEdgesBehindVerticesThatRoundingMakesOne) {
   EXPECT_NEAR(distance(segment(v, w), kHere, point(found.nearest), kHere).distance, 0, 1e-15);
 }
 
+/// A body that is much thinner than it is deep, along a wall: cells are as long as it is, and a border leads through
+/// each.
+TEST(Depth, OfAThinBodyAlongAWallEndsWithinTheBudget) {
+  const Polygon a({{{0x1.b40e69b241ef4p-1, 0x1.9b32722f44014p-2},
+                    {0x1.2527861a9456dp-2, 0x1.9b3d7ad5f5152p-2},
+                    {-0x1.87e56221fa56p-5, 0x1.9b34d2624256fp-2},
+                    {0x1.df1fcc29a5b27p-3, 0x1.9b1ad5df66299p-2},
+                    {0x1.496d08bc6d55ep-1, 0x1.9b1c8af7eaa2cp-2}},
+                   {{-0x1.91fd7964e28e6p-3, -0x1.14e87a490d7e2p-2},
+                    {-0x1.8a68456993299p-2, -0x1.61655e5cae153p-2},
+                    {-0x1.90a574435edeep-1, -0x1.f281b3a1b0c28p-3},
+                    {-0x1.7dfc183ed73eep-1, 0x1.213965d6c478dp-1},
+                    {-0x1.4eb08f058acb7p-1, 0x1.39c6641ceffd6p-1},
+                    {-0x1.2c913b7f0601p-5, 0x1.9525b97e770bfp-2}},
+                   {{-0x1.1ae0528e9e17fp-1, -0x1.aa6899a9e13p-9},
+                    {-0x1.d3cb5f067a4acp-1, -0x1.8606cb439f972p-3},
+                    {-0x1.fed5f438f1afbp-2, -0x1.0075df52d7448p+0}},
+                   {{-0x1.32c585920600cp-3, 0x1.6812356e0b458p-2},
+                    {0x1.b34e9e9b7e7fdp-1, 0x1.6812356e0b458p-2},
+                    {0x1.b34e9e9b7e7fdp-1, -0x1.4bf6e548fa5d4p-1},
+                    {-0x1.32c585920600cp-3, -0x1.4bf6e548fa5d4p-1}}},
+                  FillRule::NonZero);
+  const Polygon b({{{0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},
+                    {0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},
+                    {0x1.5922110a1d68bp-2, 0x1.59419df1e260ep-19},
+                    {-0x1.2efbcda91cc42p-7, 0x1.110bc7481d8f4p-18},
+                    {-0x1.16f688bbb9528p-1, -0x1.184b9109f87c6p-22},
+                    {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},
+                    {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},
+                    {0x1.adc2f8545c315p-3, -0x1.cfb84de0e6a86p-19},
+                    {0x1.21bcb1eab356fp-2, -0x1.09c53c75cff98p-19},
+                    {0x1.6e560fa8f3812p-2, -0x1.f9b2d8224836fp-22},
+                    {0x1.976a310564975p-2, 0x1.6b53731ceedf8p-22}}},
+                  FillRule::NonZero);
+  const double time = 0.37651214374636885;
+  const Vec2 there(0x1.e3069a0077c11p+0 - time * 0x1.bd8f7689f9624p+1,
+                   -0x1.4ea968c708a22p+1 + time * 0x1.4e5c09f4b40ep+2);
+  const Depth found = depth(a, kHere, b, tricover::pose(there.x(), there.y()));
+  EXPECT_NEAR(found.depth, 0.000864994655546, 1e-14);
+  EXPECT_NEAR(found.upper_bound, found.depth, 1e-14);
+}
+
 TEST(Depth, RefusesWhatIsNoPose) {
   const Polygon square = box(1, 1);
   Pose skewed = kHere, absent = kHere;

@@ -8,7 +8,7 @@ MUTATIONS = [
     ("src/depth/depth.cpp", "depth.is_point_of_a = !depth.is_point_of_a;", "", "depth: whose point it is, of swapped operands"),
     ("src/depth/depth.cpp", "if (found.depth > enough) return found;", "return found;", "negative margins: a depth near the margin isn't looked at closely"),
     ("src/depth/deepest_point.cpp", "if (!is_outside && near.distance > reach) return;", "if (near.distance > reach) return;", "depth: cells deep inside are left out"),
-    ("src/depth/deepest_point.cpp", "if (is_outside && is_in_part) offer(place, near, -1);", "if (is_outside) offer(place, near, -1);", "depth: points that aren't the part's"),
+    ("src/depth/deepest_point.cpp", "const bool is_deepest = is_outside && is_in_part && offer", "const bool is_deepest = is_outside && offer", "depth: points that aren't the part's"),
     ("src/depth/deepest_point.cpp", "if (!piece.is_known) return Look::InArea;", "", "depth: arcs that run along a border aren't located"),
     ("src/depth/deepest_point.cpp", "if (part_.polygon.isDegenerate()) return;", "return;", "depth: the interior isn't searched"),
     ("src/depth/peak.h", "value = std::min(value, highest);", "value = std::min(value, 0.5 * highest);", "depth: upper bounds of cells too low"),
