@@ -41,12 +41,17 @@ MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon&
   return pair;
 }
 
-/// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much.
+constexpr double kShortestTime = 1e-9;  ///< that is seen
+
+/// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much,
+/// and what passes by within the shortest time has no contact to follow.
 int stepsAlongContacts(const MovingPair& pair) {
-  if (!pair.isInRange()) return 1 << 5;
-  const double edges = static_cast<double>(pair.a.polygon->path.size() + pair.b.polygon->path.size());
+  const PolygonData &a = *pair.a.polygon, &b = *pair.b.polygon;
+  const double size = a.extent + b.extent + pair.given_margin;
+  if (!pair.isInRange() || kShortestTime * mostSpeed(pair) > size) return 1 << 5;
+  const double edges = static_cast<double>(a.path.size() + b.path.size());
   const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
-  return static_cast<int>(std::min((0x1p10 + 16 * edges) * (1 + radians), 0x1p21));
+  return static_cast<int>(std::min((0x1p7 + 16 * edges) * (1 + radians), 0x1p21));
 }
 
 }  // namespace
@@ -59,7 +64,7 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       motion_b_(motion_b),
       pair_(preparedPair(a, motion_a, b, motion_b, std::max(options.margin, 0.0))),
       margin_(options.margin),
-      seen_(0.5 * std::max(options.time_error, 1e-9)),
+      seen_(0.5 * std::max(options.time_error, kShortestTime)),
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ + (margin_ < 0 ? kDeepEnough + 1 : 1) * precision_),
       steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),

@@ -37,7 +37,7 @@ EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
 Depth noDepth() { return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0}; }
 
 /// Of convex regions no point is deeper than the shortest translation is long. So that is the depth, where the corner
-/// behind the least face has no other edge nearer.
+/// behind the least face has no other edge nearer. A depth that is larger than `beside` may be any corner's.
 std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double* precision) {
   if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return std::nullopt;
   const SeparatingAxes axes(pair);
@@ -61,7 +61,8 @@ std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double*
       const Vec2 point = frame.from(1 - own, other.polygon.path[corner]);
       const PosedSide::Near near = region.nearest(point);
       const double depth = near.distance * frame.unit();
-      if (!(depth > tie && depth >= face.depth - tie) || region.locate(point) == Location::Outside) continue;
+      const bool is_wanted = depth >= face.depth - tie || depth - tie > beside;
+      if (!(depth > tie && is_wanted) || region.locate(point) == Location::Outside) continue;
       const Vec2 at = frame.toWorld(point), nearest = frame.toWorld(near.point);
       const Vec2 way = (near.point - point) / near.distance;
       const EdgeIndex own_edge = region.polygon.edgeName(near.edge), other_edge = other.polygon.edgeName(corner);

@@ -39,7 +39,10 @@ std::string pictureOfDepths() {
                         const tricover::Pose& pose_b, const tricover::Depth& found, const std::string& text) {
     drawing.polygon(a, pose_a, "#d6d3d1");
     drawing.polygon(b, pose_b, "rgba(147,197,253,0.6)");
-    drawing.polyline({found.point_a, found.point_b}, "#dc2626");
+    const auto shown = [](const tricover::Vec2& p) {
+      return tricover::Vec2(0 + std::round(p.x() * 1e9) / 1e9, 0 + std::round(p.y() * 1e9) / 1e9);
+    };
+    drawing.polyline({shown(found.point_a), shown(found.point_b)}, "#dc2626");
     drawing.text(pose_a.translation() - tricover::Vec2(0, 2.5), text);
   };
   drawing.polyline({{0, -2.8}, {0, -2.8}}, "none");  // room for the texts
