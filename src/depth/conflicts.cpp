@@ -41,14 +41,15 @@ MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon&
   return pair;
 }
 
-constexpr double kShortestTime = 1e-9;  ///< that is seen
+/// Times are not told apart any closer.
+constexpr double kShortestTime = 1e-9;
 
 /// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much,
 /// and what passes by within the shortest time has no contact to follow.
-int stepsAlongContacts(const MovingPair& pair) {
+int stepsAlongContacts(const MovingPair& pair, double speed) {
   const PolygonData &a = *pair.a.polygon, &b = *pair.b.polygon;
   const double size = a.extent + b.extent + pair.given_margin;
-  if (!pair.isInRange() || kShortestTime * mostSpeed(pair) > size) return 1 << 5;
+  if (!pair.isInRange() || kShortestTime * speed > size) return 1 << 5;
   const double edges = static_cast<double>(a.path.size() + b.path.size());
   const double radians = std::min(pair.a.rotation.size() + pair.b.rotation.size(), 8.0);
   return static_cast<int>(std::min((0x1p7 + 16 * edges) * (1 + radians), 0x1p21));
@@ -67,8 +68,8 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       seen_(0.5 * std::max(options.time_error, kShortestTime)),
       precision_(8 * pair_.error * pair_.length * pair_.expansion),
       touch_margin_(margin_ + (margin_ < 0 ? kDeepEnough + 1 : 1) * precision_),
-      steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_)),
-      speed_(mostSpeed(pair_)) {
+      speed_(mostSpeed(pair_)),
+      steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_, speed_)) {
   for (auto& [time, depth] : depths_) time = -1;
   if (!std::isfinite(touch_margin_)) touch_margin_ = margin_;
   if (!std::isfinite(precision_)) precision_ = 0;

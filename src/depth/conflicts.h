@@ -56,8 +56,8 @@ class MovingContact {
   double touch_margin_;         ///< within which they touch
   mutable std::pair<double, Depth> depths_[2];  ///< the last times and depths
   mutable std::optional<Polygon> walls_[2];     ///< the borders of a, and of b, as segments
-  int steps_left_;                              ///< of endOfContact(), for all contacts together
   double speed_;                                ///< no point of one moves faster against the other one
+  int steps_left_;                              ///< of endOfContact(), for all contacts together
 };
 
 /// Adds the conflicts of motions that go on from `begin` to `end`, by the clock of all that is given and found. If

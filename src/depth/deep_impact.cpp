@@ -114,7 +114,7 @@ class DeepImpact {
       return;
     }
     if (time >= 1) return;
-    // Of several ways out another one may be the shortest by now.
+    // Another way out may be the shortest one by now.
     const auto isKnownWay = [&](const Touch& touch) { return touch.normal.dot(deep.touch.normal) > 0.875; };
     if (std::none_of(piece.touches.begin(), piece.touches.end(), isKnownWay)) {
       piece.touches = {deep.touch};

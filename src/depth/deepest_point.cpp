@@ -40,7 +40,8 @@ constexpr std::size_t kMostSteps = std::size_t{1} << 17;
 constexpr std::size_t kMostEdges = 48;
 /// At the peak of a piece, then it is cut.
 constexpr int kMostLooks = 24;
-/// Of the distance in a cell: a cell that is higher is cut before it is looked at closely.
+/// A cell is large if its height is more than this share of the distance in it. A large cell is cut before it is looked
+/// at closely.
 constexpr double kLargeCell = 0.4;
 
 class DepthSearch {
@@ -202,25 +203,24 @@ class DepthSearch {
     std::sort(
         known.begin(), known.begin() + static_cast<std::ptrdiff_t>(simplex.edge_count),
         [&](const auto& p, const auto& q) { return valueAt(p.first, peak.place) < valueAt(q.first, peak.place); });
-    simplex.place = Vec2::Zero();
     for (std::size_t k = 0; k < simplex.edge_count; ++k) simplex.edges[k] = known[k].second;
-    for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
+    simplex.place = placeIn(simplex, peak.place);
   }
 
-  /// From a place that was looked at to the peak of its edges' tangents.
-  void climb(Piece& simplex) {
+  /// The next place is the peak of the edges' tangents at one that was looked at.
+  void climb(Piece& simplex, const Vec2& from) {
+    simplex.place = from;
     const auto corners = static_cast<std::size_t>(simplex.corners);
     Peak peak(corners);
     for (std::size_t k = 0; k < simplex.edge_count; ++k) {
-      const Vec2 way = simplex.place - area_.foot(simplex.edges[k], simplex.place);
+      const Vec2 way = from - area_.foot(simplex.edges[k], from);
       const double far = way.norm();
       if (!(far > 0)) return;
       OfCorners tangent{};
-      for (std::size_t c = 0; c < corners; ++c) tangent[c] = far + way.dot(simplex.corner[c] - simplex.place) / far;
+      for (std::size_t c = 0; c < corners; ++c) tangent[c] = far + way.dot(simplex.corner[c] - from) / far;
       peak.add(tangent);
     }
-    simplex.place = Vec2::Zero();
-    for (std::size_t c = 0; c < corners; ++c) simplex.place += peak.place[c] * simplex.corner[c];
+    simplex.place = placeIn(simplex, peak.place);
   }
 
   void expandEdge(Piece& edge) {
@@ -229,7 +229,7 @@ class DepthSearch {
     if (found == Look::InArea) return;
     if (found != Look::NothingNew && ++edge.looks < kMostLooks) {
       bound(edge);
-      if (found == Look::Deepest) edge.place = place, climb(edge);
+      if (found == Look::Deepest) climb(edge, place);
       return search_.push(edge);
     }
     const Vec2 middle = cutOf(edge.corner[0], edge.corner[1], place);
@@ -279,9 +279,15 @@ class DepthSearch {
     for (const Vec2& p : {u, t}) {
       Piece cell{-most, 3};
       cell.corner = {v, w, p};
-      cell.place = centerOf(cell);
-      if (!gatherNearest(cell) || !leadsAway()) search_.push(cell);
+      if (!gatherNearest(cell) || !leadsAway()) pushCell(cell);
     }
+  }
+
+  /// It is looked at in its middle first.
+  void pushCell(Piece cell) {
+    cell.looks = 0;
+    cell.place = centerOf(cell);
+    search_.push(cell);
   }
 
   /// Whether some direction leads away from all of these edges, which are borders with a known side, wherever outside
@@ -318,7 +324,7 @@ class DepthSearch {
     // A large cell is looked at in its middle, another one then at its peak, too.
     const bool is_large = !is_concave_ && heightOf(cell) > -kLargeCell * cell.least;
     if (!is_large && (is_new || is_deepest || cell.looks == 0) && ++cell.looks < kMostLooks) {
-      if (is_deepest) cell.place = place, climb(cell);
+      if (is_deepest) climb(cell, place);
       return search_.push(cell);
     }
     if (!is_large && cutAtDeepest(cell)) return;
@@ -343,6 +349,7 @@ class DepthSearch {
     const Vec2 center = centerOf(cell);
     return part_.nearest(center).distance > 4 * frame_.error() && part_.locate(center) == Location::Outside;
   }
+
   /// Finds the area's edges that may be the nearest ones somewhere in a cell. False if there are too many.
   bool gatherNearest(const Piece& cell) { return gather(area_, cell, -cell.least, edges_); }
 
@@ -360,7 +367,7 @@ class DepthSearch {
     return edges.size() < kMostEdges;
   }
 
-  /// The same by the directions from the nearest points of edges that don't lead through the cell.
+  /// The same as leadsAway(), by the directions from the nearest points of edges that don't lead through the cell.
   bool leadsAwayFrom(const Piece& cell) const {
     OneSidedDirections directions;
     for (const std::size_t edge : edges_) {
@@ -406,7 +413,7 @@ class DepthSearch {
     return from < to;
   }
 
-  /// Cuts along an edge's line, or else at the cell's place, or in the middle of its longest side.
+  /// Cuts along an edge's line, or else in the middle of the longest side.
   void cut(const Piece& cell, const Ends* edge) {
     const std::size_t longest = longestSideOf(cell);
     if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 4 * frame_.error())) return;
@@ -429,9 +436,7 @@ class DepthSearch {
     for (std::size_t c = 0; c < 3; ++c) {
       Piece third = cell;
       third.corner[c] = best_.point;
-      third.looks = 0;
-      third.place = centerOf(third);
-      search_.push(third);
+      pushCell(third);
     }
     return true;
   }
@@ -451,9 +456,7 @@ class DepthSearch {
       Piece half = cell;
       half.corner = {kept[0], kept[i - 1], kept[i]};
       if (heightOf(half) <= 0.25 * frame_.error()) continue;  // but for rounding the neighbours hold it
-      half.looks = 0;
-      half.place = centerOf(half);
-      search_.push(half);
+      pushCell(half);
     }
   }
 

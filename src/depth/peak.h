@@ -53,12 +53,12 @@ class Peak {
     std::array<OfCorners, 3 + kMost + 1> all;
     std::size_t count;
   };
-  /// What is left of a convex polygon where one function is not below the other, but for rounding: two functions that
-  /// are the same leave all of it.
+  /// The part of a convex polygon where one function is not below the other, but for rounding. Two functions that are
+  /// the same leave all of it.
   static Corners clipped(const Corners& polygon, const OfCorners& above, const OfCorners& below) {
-    double rounding = 0;
-    for (const double value : above) rounding = std::max(rounding, 0x1p-50 * std::abs(value));
-    for (const double value : below) rounding = std::max(rounding, 0x1p-50 * std::abs(value));
+    double most = 0;
+    for (std::size_t i = 0; i < above.size(); ++i) most = std::max({most, std::abs(above[i]), std::abs(below[i])});
+    const double rounding = 0x1p-50 * most;
     const auto room = [&](const OfCorners& p) { return valueAt(above, p) - valueAt(below, p) + rounding; };
     Corners kept{{}, 0};
     for (std::size_t i = 0; i < polygon.count; ++i) {

@@ -37,7 +37,17 @@ struct Piece {
   }
 };
 
-// Of a triangle.
+/// The place in a simplex that has these barycentric coordinates.
+inline Vec2 placeIn(const Piece& simplex, const OfCorners& coordinates) {
+  Vec2 place = Vec2::Zero();
+  for (int c = 0; c < simplex.corners; ++c) {
+    const auto corner = static_cast<std::size_t>(c);
+    place += coordinates[corner] * simplex.corner[corner];
+  }
+  return place;
+}
+
+// Triangles.
 
 inline Vec2 centerOf(const Piece& cell) { return (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3; }
 
