@@ -4,6 +4,8 @@
 
 usage: tests/rooms.py [ROOT]
 
+A public header belongs to the room that defines its functions, and is included by that room and later ones alone.
+
 Fails on an #include that leads to a later room, between two rooms that must not see each other, or from the adapter
 into the core's private headers, but for numbers; on a cycle between files; on a function that one room declares and another defines; on a
 file or a function that is too long.
@@ -13,7 +15,24 @@ import re
 import sys
 
 # First to last; rooms that share a line don't see each other.
-CORE = [["numbers"], ["polygon"], ["hierarchy"], ["convex"], ["pair"], ["distance", "impact"], ["penetration"], ["contact"], ["depth"], ["scene"], ["drawing", "io"]]
+CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["convex"], ["overlay"], ["distance", "impact"], ["penetration"],
+        ["contact", "paper"], ["depth"], ["scene"], ["drawing", "io"]]
+# Public headers by the room that defines their functions. All others define none: types, options and results.
+PUBLIC = {
+    "numbers": ["motion", "pose"],
+    "polygon": ["outline", "pair_cache", "point_cache", "polygon", "segment"],
+    "hierarchy": ["locate"],
+    "distance": ["distance"],
+    "impact": ["ray"],
+    "penetration": ["penetration"],
+    "contact": ["contacts"],
+    "paper": ["paper"],
+    "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact", "trajectory"],
+    "scene": ["scene"],
+    "drawing": ["svg"],
+    "io": ["occupancy_grid_io"],
+}
+TYPES = ["collide_options", "export", "impact", "location", "ray_hit", "touching", "tricover", "version"]
 ADAPTER = [["shape"], ["shadow"], ["queries"], ["broadphase", "entry"]]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
@@ -35,8 +54,9 @@ def uncommented(text):
 class House:
     """The files of one source directory, by the name that an #include gives them."""
 
-    def __init__(self, directory, rows, guest=None):
+    def __init__(self, directory, rows, guest=None, owners=None):
         self.guest = guest  # a room of another house that all rooms see
+        self.owners = owners or {}  # of public headers
         self.rank = {room: i for i, row in enumerate(rows) for room in row}
         self.rank[""] = -1  # a file outside of the rooms sees none of them
         self.files = {}
@@ -49,7 +69,7 @@ class House:
 
     def faults(self, include_directories):
         headers = [path for directory in include_directories for path in directory.rglob("*.h")]
-        public = {name for path in headers for name, end in FUNCTION.findall(uncommented(path.read_text()))}
+        public = {name for path in headers for name, end in FUNCTION.findall(uncommented(path.read_text()).replace(" = {}", ""))}
         for file in self.files:
             room = self.room(file)
             if room not in self.rank:
@@ -58,14 +78,19 @@ class House:
             for name in self.includes(file):
                 if name in self.files:
                     other = self.room(name)
-                    if other != room and self.rank.get(other, len(self.rank)) >= self.rank[room]:
+                    if not self.sees(room, other):
                         yield f'{file} includes "{name}", but {room} does not see {other}'
                 elif self.guest and name.startswith(self.guest.name + "/") and (self.guest.parent / name).is_file():
                     continue
+                elif name in self.owners and not self.sees(room, self.owners[name]):
+                    yield f'{file} includes "{name}", but {room} does not see {self.owners[name]}, which defines it'
                 elif not any((directory / name).is_file() for directory in include_directories):
                     yield f'{file} includes "{name}", which is neither in a room nor public'
         yield from self.cycles()
         yield from self.strangers(public)
+
+    def sees(self, room, other):
+        return other == room or self.rank.get(other, len(self.rank)) < self.rank[room]
 
     @staticmethod
     def room(file):
@@ -120,6 +145,17 @@ def without_unnamed(text):
     return result + text[at:]
 
 
+def strays(include):
+    """Public headers that PUBLIC and TYPES don't name once, or types that declare a function after all."""
+    named = sorted(sum(PUBLIC.values(), []) + TYPES)
+    there = sorted(path.stem for path in include.glob("*.h"))
+    if named != there:
+        yield f"public headers: PUBLIC and TYPES should name {sorted(set(named) ^ set(there))}"
+    for name in TYPES:
+        if re.search(r"^TRICOVER_EXPORT", uncommented((include / f"{name}.h").read_text()), re.M) and name != "version":
+            yield f"{name}.h declares a function, and belongs to no room"
+
+
 def too_long(root):
     """Files, and functions of the libraries; in tests and bench a function may be a table."""
     for folder in ("src", "include", "fcl_adapter", "tests", "bench"):
@@ -138,7 +174,9 @@ def too_long(root):
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[1])
     own, fcl = root / "include", root / "fcl_adapter/include"
-    faults = list(House(root / "src", CORE).faults([own]))
+    owners = {f"tricover/{name}.h": room for room, names in PUBLIC.items() for name in names}
+    faults = list(House(root / "src", CORE, owners=owners).faults([own]))
+    faults += strays(own / "tricover")
     faults += House(root / "fcl_adapter/src", ADAPTER, root / "src/numbers").faults([own, fcl])
     faults += too_long(root)
     for fault in faults:

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "tricover/export.h"
+#include "tricover/location.h"
+#include "tricover/point_cache.h"
 #include "tricover/polygon.h"
 
 namespace tricover {
-
-/// Where a point is. A point of an edge is Boundary even where the region lies on both of the edge's sides.
-enum class Location { Outside, Boundary, Inside };
-
-namespace detail {
-struct CacheAccess;
-}  // namespace detail
 
 /// Where `point`, in the polygon's own frame, lies. Exact for every finite point.
 ///
@@ -25,19 +18,6 @@ struct CacheAccess;
 ///
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
-
-/// Remembers a certificate of a moving point between calls, by the rules of a PairCache. It may serve another polygon
-/// from call to call.
-///
-/// \snippet locate.cpp locate with cache
-class TRICOVER_EXPORT PointCache {
- public:
-  PointCache();
-
- private:
-  friend struct detail::CacheAccess;
-  alignas(8) unsigned char bytes_[48];
-};
 
 /// The same answer, with coherence. The location changes at edges alone: while the point has moved by less than it was
 /// away from them, the inclusion test is skipped. (The paper's Algorithm 2 compares the signs against all edges' lines

@@ -6,6 +6,7 @@
 
 #include "tricover/export.h"
 #include "tricover/polygon.h"
+#include "tricover/ray_hit.h"
 
 namespace tricover {
 
@@ -13,21 +14,6 @@ namespace tricover {
 struct RayOptions {
   /// A world length, at least 0 and finite. The ray is cast at the region inflated by it.
   double margin = 0;
-};
-
-/// Where a ray first meets a polygon's region, in the world.
-struct RayHit {
-  /// The share of the segment before the hit, from 0 to 1, to a precision of 1e-14. On a segment that ends far beyond
-  /// the polygon the fraction makes the point precise to 1e-13 of the polygon's diameter plus its distance from `from`,
-  /// unless the fraction is below 1e-300.
-  double fraction;
-  Vec2 point;  ///< from + fraction (to - from), rounded.
-  /// A unit vector at right angles to the edge, against the ray. Where the ray runs along the edge or starts in the
-  /// region, and at an edge without length, the ray's direction turned round; of a ray of length 0 the zero vector.
-  Vec2 normal;
-  /// The first edge on the way, of several that are met at the same point the one of the lowest number: exact. -1 where
-  /// the ray starts in the region, its boundary included.
-  EdgeIndex edge;
 };
 
 /// The first point of a polygon's region on the closed segment from `from` to `to`, points of the world; or nothing.
@@ -44,14 +30,6 @@ struct RayHit {
 /// \snippet ray.cpp ray
 TRICOVER_EXPORT std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Vec2& from,
                                               const Vec2& to, const RayOptions& options = {});
-
-/// A part of a ray that is in a polygon's region; a single point where both fractions are equal.
-struct RayInterval {
-  RayHit begin;  ///< As castRay() reports a hit.
-  /// The same for the way back from the ray's end: the last edge on the way, or -1 where the ray ends in the region.
-  /// The fraction is the one from the ray's start. The normal points along the ray.
-  RayHit end;
-};
 
 /// Returns all intervals of the closed segment from `from` to `to` that are in a polygon's region, in order. The first
 /// one begins where castRay() hits.

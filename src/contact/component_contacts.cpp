@@ -8,7 +8,7 @@
 
 #include "contact/component_exit.h"
 #include "contact/contact_ends.h"
-#include "contact/solvers.h"
+#include "contact/contact_solvers.h"
 #include "numbers/angle.h"
 #include "numbers/segment.h"
 #include "penetration/penetration.h"

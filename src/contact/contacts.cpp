@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "contact/contact_ends.h"
-#include "contact/solvers.h"
+#include "contact/contact_solvers.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "overlay/interiors.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
@@ -58,7 +59,7 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
 }
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                                     PairCacheContents* cache, const ContactOptions& options) {
+                                     double defect, PairCacheContents* cache, const ContactOptions& options) {
   if (gapOfDiscs(PosedPair(a, pose_a, b, pose_b), options.margin) >= 0) return {};
   Certificate* certificate = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
@@ -66,7 +67,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
     countDown(*certificate, a, pose_a, b, pose_b);
     certificate = nullptr;
   } else if (certificate != nullptr) {
-    known = recall(*certificate, a, pose_a, b, pose_b, options.margin);
+    known = recall(*certificate, a, pose_a, b, pose_b, defect, options.margin);
   }
   if (known.certain && !known.collides) return {};
   const PosedPair pair(a, pose_a, b, pose_b);
@@ -74,7 +75,7 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   if (const double margin = options.margin; result.empty() && margin > 0)
     if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
   if (certificate != nullptr && result.empty())
-    renewCertificate(a, pose_a, b, pose_b, *certificate, known, {options.margin, 0});
+    renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0});
   if (result.size() > 1)
     std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)
@@ -88,12 +89,14 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
   if (options.detail < ContactDetail::Points || options.detail > ContactDetail::GlobalDepth)
     refuse("detail", "not a ContactDetail");
   if (options.detail == ContactDetail::GlobalDepth) requireBounded(a, b);
-  requireRigid(pose_a, pose_b);
-  if (options.touching != Touching::Collides && !collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching}))
+  requireTouching(options.touching);
+  const double defect = requireRigid(pose_a, pose_b);
+  if (options.touching != Touching::Collides &&
+      !regionsCollide(a.data(), pose_a, b.data(), pose_b, defect, nullptr, {options.margin, 0, options.touching}))
     return {};
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
-      [&](const auto&... operands) { return deepestContacts(operands..., cache, options); },
+      [&](const auto&... operands) { return deepestContacts(operands..., defect, cache, options); },
       [](std::vector<Contact>& contacts) {
         for (Contact& contact : contacts) {
           contact.normal = -contact.normal;

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "contact/contact_ends.h"
-#include "contact/solvers.h"
+#include "contact/contact_solvers.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {

@@ -9,8 +9,8 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "overlay/interiors.h"
 #include "pair/edge_pairs.h"
-#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "tricover/contacts.h"
 

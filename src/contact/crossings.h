@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "contact/boundary_point.h"
-#include "pair/edge_sides.h"
-#include "pair/interiors.h"
+#include "overlay/edge_sides.h"
+#include "overlay/interiors.h"
 #include "pair/world_frame.h"
 #include "polygon/edge_walk.h"
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "penetration/rings.h"
+#include "overlay/rings.h"
 
 namespace tricover::detail {
 

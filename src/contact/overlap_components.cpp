@@ -6,7 +6,7 @@
 
 #include "contact/overlap_arcs.h"
 #include "numbers/segment.h"
-#include "penetration/rings.h"
+#include "overlay/rings.h"
 
 namespace tricover::detail {
 namespace {

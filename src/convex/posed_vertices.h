@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "hierarchy/placement.h"
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
+#include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
 

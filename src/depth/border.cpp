@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hierarchy/hierarchy.h"
-#include "pair/complement.h"
-#include "penetration/rings.h"
+#include "overlay/complement.h"
+#include "overlay/rings.h"
 #include "polygon/edge_walk.h"
 
 namespace tricover::detail {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "depth/deep_impact.h"
-#include "impact/cubic.h"
-#include "impact/options.h"
+#include "impact/impact_options.h"
 #include "impact/vertex_paths.h"
+#include "numbers/cubic.h"
 #include "numbers/rigidity.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_hierarchy.h"
@@ -110,8 +110,8 @@ bool MovingContact::meetUntil(double time, double next) const {
   }
   const Posed posed(pair_, time);
   if (travel <= touch_margin_ && posed.edgesWithin(touch_margin_ - travel).collides) return true;
-  const Outcome found =
-      findCertificate(posed.pair.a, posed.pose_a, posed.pair.b, posed.pose_b, {0, 0}, {2 * travel, true});
+  const Outcome found = findCertificate(posed.pair.a, posed.pose_a, posed.pair.b, posed.pose_b,
+                                        defectOf(posed.pose_a, posed.pose_b), {0, 0}, {2 * travel, true});
   if (found.collides && found.clearance + margin_ > travel) return true;
   return pair_.isInRange() && (featuresStay(time, next) || staysContained(time, next, travel));
 }

@@ -7,7 +7,7 @@
 #include "depth/excess.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
-#include "pair/coverage.h"
+#include "overlay/union_covers.h"
 
 namespace tricover {
 namespace detail {

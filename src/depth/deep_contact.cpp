@@ -8,7 +8,7 @@
 #include "depth/conflicts.h"
 #include "depth/deep_impact.h"
 #include "numbers/rigidity.h"
-#include "penetration/rings.h"
+#include "overlay/rings.h"
 #include "polygon/edge_walk.h"
 #include "tricover/segment.h"
 

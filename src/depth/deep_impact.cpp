@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "impact/options.h"
+#include "impact/impact_options.h"
 #include "numbers/best_first.h"
 #include "tricover/contacts.h"
 

@@ -26,8 +26,8 @@
 #include "depth/piece.h"
 #include "depth/posed_side.h"
 #include "numbers/best_first.h"
+#include "overlay/rings.h"
 #include "pair/edge_pairs.h"
-#include "penetration/rings.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {

@@ -10,8 +10,8 @@
 #include "depth/conflicts.h"
 #include "depth/deep_impact.h"
 #include "depth/excess.h"
-#include "pair/coverage.h"
-#include "pair/edge_sides.h"
+#include "overlay/edge_sides.h"
+#include "overlay/union_covers.h"
 #include "polygon/edge_walk.h"
 
 namespace tricover::detail {

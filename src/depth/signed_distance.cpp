@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "convex/posed_vertices.h"
+#include "distance/distance_query.h"
 #include "distance/distance_result.h"
-#include "distance/options.h"
 #include "pair/kernel_order.h"
 #include "penetration/penetration.h"
 #include "tricover/collide.h"

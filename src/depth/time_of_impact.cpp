@@ -6,19 +6,13 @@
 #include <utility>
 
 #include "depth/conflicts.h"
-#include "impact/options.h"
-#include "impact/solvers.h"
+#include "impact/impact_options.h"
+#include "impact/impact_solvers.h"
 #include "pair/kernel_order.h"
 
 namespace tricover {
 namespace detail {
 namespace {
-
-void swapOperands(std::optional<Impact>& impact) {
-  if (!impact) return;
-  impact->normal = -impact->normal;
-  std::swap(impact->edge_a, impact->edge_b);
-}
 
 /// With a negative margin.
 [[gnu::cold, gnu::noinline]] std::optional<Impact> deepImpact(const Polygon& a, const Motion& motion_a,
@@ -38,12 +32,8 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, con
                                    const ImpactOptions& options) {
   detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
-  auto first = options.margin < 0
-                   ? detail::deepImpact(a, motion_a, b, motion_b, options)
-                   : detail::inKernelOrder(
-                         a.data(), motion_a, b.data(), motion_b,
-                         [&](const auto&... operands) { return detail::impactInOrder(operands..., options); },
-                         detail::swapOperands);
+  auto first = options.margin < 0 ? detail::deepImpact(a, motion_a, b, motion_b, options)
+                                  : detail::impactOf(a, motion_a, b, motion_b, options);
   if (!options.ignore_initial || !first) return first;
   detail::MovingContact contact(a, motion_a, b, motion_b, options);
   if (!contact.touchAt(0)) return first;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "depth/conflicts.h"
-#include "impact/options.h"
+#include "impact/impact_options.h"
 #include "numbers/errors.h"
 
 namespace tricover {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
+#include "distance/distance_solvers.h"
 #include "distance/edge_distance.h"
-#include "distance/solvers.h"
 
 namespace tricover::detail {
 namespace {

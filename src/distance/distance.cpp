@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/distance.h"
 
-#include "distance/options.h"
-#include "distance/solvers.h"
+#include "distance/distance_query.h"
+#include "distance/distance_solvers.h"
 #include "numbers/rigidity.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "convex/posed_vertices.h"
+#include "distance/distance_query.h"
 #include "distance/edge_distance.h"
-#include "distance/options.h"
 #include "polygon/polygon_data.h"
 
 namespace tricover::detail {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "distance/distance_query.h"
 #include "distance/edge_distance.h"
-#include "distance/options.h"
 
 namespace tricover::detail {
 

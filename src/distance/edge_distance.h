@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "convex/nearest_features.h"
-#include "distance/options.h"
+#include "distance/distance_query.h"
 #include "numbers/beside_segment.h"
 #include "numbers/double2.h"
 #include "numbers/predicates.h"

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "distance/solvers.h"
+#include "distance/distance_solvers.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
-#include "distance/solvers.h"
+#include "distance/distance_solvers.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/containment.h"
 #include "pair/discs.h"

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/cast_ray.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "hierarchy/simd.h"
+#include "impact/impact_options.h"
+#include "impact/impact_solvers.h"
 #include "impact/moving_pair.h"
-#include "impact/options.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "overlay/plain_ray.h"
 #include "pair/posed_pair.h"
 #include "tricover/ray.h"
 #include "tricover/segment.h"
-#include "tricover/time_of_impact.h"
 
 namespace tricover {
 namespace {
@@ -130,7 +129,7 @@ class RoundRay {
 
   std::optional<RayHit> first(const Vec2& from, const Vec2& to) const {
     const auto impact =
-        timeOfImpact(point(from), Motion::translation(Pose::Identity(), to - from), polygon_, still_, {margin_, 0});
+        detail::impactOf(point(from), Motion::translation(Pose::Identity(), to - from), polygon_, still_, {margin_, 0});
     if (!impact) return std::nullopt;
     return RayHit{impact->time, (from + impact->time * (to - from)) / scale_, -impact->normal,
                   impact->time > 0 ? impact->edge_b : -1};

@@ -5,8 +5,8 @@
 
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
+#include "impact/impact_solvers.h"
 #include "impact/interval_cutter.h"
-#include "impact/solvers.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 

@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "convex/convex_ring.h"
-#include "hierarchy/placement.h"
-#include "impact/cubic.h"
-#include "impact/solvers.h"
+#include "impact/impact_solvers.h"
+#include "numbers/cubic.h"
 #include "numbers/rounding.h"
 #include "numbers/segment.h"
+#include "pair/posed_pair.h"
 
 namespace tricover::detail {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "impact/impact_solvers.h"
 #include "impact/interval_cutter.h"
-#include "impact/solvers.h"
 #include "impact/vertex_paths.h"
 #include "numbers/best_first.h"
 

@@ -9,7 +9,7 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd.h"
 #include "hierarchy/simd_gaps.h"
-#include "impact/cubic.h"
+#include "numbers/cubic.h"
 #include "numbers/double2.h"
 #include "polygon/polygon_data.h"
 #include "tricover/motion.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "hierarchy/simd.h"
-#include "impact/solvers.h"
+#include "impact/impact_solvers.h"
 #include "impact/vertex_paths.h"
 
 namespace tricover::detail {

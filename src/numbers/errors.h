@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tricover/pose.h"
+#include "tricover/touching.h"
 
 namespace tricover::detail {
 
@@ -50,6 +51,11 @@ inline void requireFiniteMargin(double margin, const char* field) {
 
 inline void requireFiniteNotNegative(double value, const char* field) {
   if (!(value >= 0 && value <= std::numeric_limits<double>::max())) refuseLength(field, true);
+}
+
+inline void requireTouching(Touching touching) {
+  if (touching != Touching::Collides && touching != Touching::Allowed)
+    refuse("touching", "it must be Touching::Collides or Touching::Allowed");
 }
 
 }  // namespace tricover::detail

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "hierarchy/placement.h"
 #include "numbers/rigidity.h"
+#include "pair/posed_pair.h"
 
 namespace tricover::detail {
 namespace {
@@ -21,9 +21,9 @@ Pose restore(const double (&kept)[6]) {
 /// What is left, at the least, of the certificate's clearance after the motion of the two against each other, seen in
 /// the first one's frame: for pairs that travel together.
 double clearanceLeft(const Certificate& cache, const PolygonData& first, const Pose& first_pose,
-                     const PolygonData& second, const Pose& second_pose) {
+                     const PolygonData& second, const Pose& second_pose, double defect_now) {
   const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
-  const double defect_now = defectOf(first_pose, second_pose), defect_then = defectOf(first_then, second_then);
+  const double defect_then = defectOf(first_then, second_then);
   const UnitMap now = PosedPair(first, first_pose, second, second_pose).inUnits(defect_now).map,
                 then = PosedPair(first, first_then, second, second_then).inUnits(defect_then).map;
   const Double2 way = Double2{now.tx - then.tx, now.ty - then.ty} * first.unit;
@@ -43,18 +43,18 @@ double displacement(const PolygonData& polygon, const double (&kept)[6], const P
 }
 
 void store(double (&kept)[6], const Pose& pose) {
-  for (const int column : {0, 1, 2}) store2(kept + 2 * column, load2(pose.data() + 3 * column));
+  Eigen::Map<Eigen::Matrix<double, 2, 3>>{kept} = pose.matrix().topRows<2>();
 }
 
 Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
-                         const PolygonData& second, const Pose& second_pose, double margin) {
+                         const PolygonData& second, const Pose& second_pose, double defect, double margin) {
   const double first_motion = displacement(first, cache.first_pose, first_pose),
                second_motion = displacement(second, cache.second_pose, second_pose);
   // Rounds twice: the difference and the sum of two motions.
   const double needed = cache.overlapping ? 0 : margin, room = roundedDown<2>(cache.clearance - needed);
   const double motion = first_motion + second_motion;
   if (motion < room || (room > 0 && first_motion != 0 && second_motion != 0 &&
-                        clearanceLeft(cache, first, first_pose, second, second_pose) > needed)) {
+                        clearanceLeft(cache, first, first_pose, second, second_pose, defect) > needed)) {
     ++cache.uses;
     return {true, cache.overlapping, true, true, 0};
   }

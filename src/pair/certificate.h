@@ -14,7 +14,7 @@
 #include "pair/outcome.h"
 #include "polygon/cache_contents.h"
 #include "polygon/polygon_data.h"
-#include "tricover/collide.h"
+#include "tricover/collide_options.h"
 
 namespace tricover::detail {
 
@@ -86,28 +86,23 @@ double displacement(const PolygonData& polygon, const double (&kept)[6], const P
 
 /// Tells what recall() can't at a glance.
 Recollection recallMoved(Certificate& cache, const PolygonData& first, const Pose& first_pose,
-                         const PolygonData& second, const Pose& second_pose, double margin);
+                         const PolygonData& second, const Pose& second_pose, double defect, double margin);
 
-/// Throws for a pose that isn't rigid. One that equals the certificate's pose to the last bit, has been checked.
+/// What a certificate says of checked poses, whose defect is given.
 inline Recollection recall(Certificate& cache, const PolygonData& a, const Pose& pose_a, const PolygonData& b,
-                           const Pose& pose_b, double margin) {
+                           const Pose& pose_b, double defect, double margin) {
   const bool direct = cache.first_id == a.id && cache.second_id == b.id;
-  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) {
-    requireRigid(pose_a, pose_b);
-    return {};
-  }
+  if (!direct && !(cache.first_id == b.id && cache.second_id == a.id)) return {};
   const PolygonData &first = direct ? a : b, &second = direct ? b : a;
   const Pose &first_pose = direct ? pose_a : pose_b, &second_pose = direct ? pose_b : pose_a;
   assert(cache.clearance >= 0);
   const bool first_moved = !sameAs(cache.first_pose, first_pose),
              second_moved = !sameAs(cache.second_pose, second_pose);
-  if (first_moved) requireRigid(first_pose, direct ? "pose_a" : "pose_b");
-  if (second_moved) requireRigid(second_pose, direct ? "pose_b" : "pose_a");
   // As a rule one of them stands still.
   const double room = roundedDown<1>(cache.clearance - (cache.overlapping ? 0 : margin));
   const bool certain = first_moved ? !second_moved && Displacement(first, cache.first_pose, first_pose).isBelow(room)
                                    : Displacement(second, cache.second_pose, second_pose).isBelow(room);
-  if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, margin);
+  if (!certain) return recallMoved(cache, first, first_pose, second, second_pose, defect, margin);
   ++cache.uses;
   return {true, cache.overlapping, true, true, 0};
 }
@@ -138,11 +133,11 @@ struct CertificateWish {
 /// Finds what a Certificate says of these poses: an Outcome whose clearance is a world length, 0 of a hit by the
 /// margin or the tolerance alone. Operands in the kernel's order, all arguments checked.
 Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                        const CollideOptions& options, const CertificateWish& wish);
+                        double defect, const CollideOptions& options, const CertificateWish& wish);
 
 /// After recall(): keeps a new certificate if one may be of use, and returns its answer.
 std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                                     Certificate& cache, const Recollection& recollection,
+                                     double defect, Certificate& cache, const Recollection& recollection,
                                      const CollideOptions& options);
 
 }  // namespace tricover::detail

@@ -5,17 +5,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "numbers/errors.h"
-#include "numbers/rigidity.h"
 #include "pair/certificate.h"
 #include "pair/collide_by_edges.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/discs.h"
-#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 
-namespace tricover {
-namespace detail {
+namespace tricover::detail {
 namespace {
 
 /// By brute force over edges until both hierarchies are paid for, then by these. Not inlined, because discs answer most
@@ -37,7 +33,8 @@ std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double mar
 }
 
 /// What the hierarchy finds, or the edges that answered last.
-Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& options, const CertificateWish& wish) {
+Outcome findCloseCertificate(const PosedPair& placement, double defect, const CollideOptions& options,
+                             const CertificateWish& wish) {
   const EdgeTest test(placement, options);
   const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
     const double depth = crossingDepth(placement, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
@@ -47,7 +44,6 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
     if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
       return hit(wish.edge_a, wish.edge_b);
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
-  const double defect = defectOf(placement.pose_a, placement.pose_b);
   const Outcome outcome = collideClose(placement, defect, test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
   if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
@@ -65,56 +61,36 @@ Outcome findCloseCertificate(const PosedPair& placement, const CollideOptions& o
   return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
 }
 
-bool collide(const Polygon& polygon_a, const Pose& pose_a, const Polygon& polygon_b, const Pose& pose_b,
-             Certificate* cache, const CollideOptions& options) {
-  requireFiniteNotNegative(options.tolerance, "tolerance");
-  const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
-  const auto inOrder = [&](auto query) { return inKernelOrder(a, pose_a, b, pose_b, query, [](bool) {}); };
-  if (cache == nullptr || cache->back_off.isOn()) {
-    const double defect = requireRigid(pose_a, pose_b);
-    return inOrder([&](const auto&... operands) { return collideAfresh(operands..., defect, options, cache); });
-  }
-  const Recollection recollection = recall(*cache, a, pose_a, b, pose_b, options.margin);
-  if (recollection.certain) return recollection.collides;
-  return inOrder([&](const auto&... operands) {
-    const std::optional<bool> renewed = renewCertificate(operands..., *cache, recollection, options);
-    return renewed ? *renewed : collideAfresh(operands..., defectOf(pose_a, pose_b), options, nullptr);
-  });
-}
-
-/// Where touching is allowed.
-[[gnu::cold, gnu::noinline]] bool collideInside(const Polygon& a, const Pose& pose_a, const Polygon& b,
-                                                const Pose& pose_b, Certificate* cache, const CollideOptions& options) {
-  requireTouching(options.touching);
-  if (!asksForInteriors(options)) return collide(a, pose_a, b, pose_b, cache, options);
-  return collide(a, pose_a, b, pose_b, cache, {}) && interiorsMeet(a.data(), pose_a, b.data(), pose_b);
-}
-
 }  // namespace
 
-bool collideWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, Certificate* cache,
-                   const CollideOptions& options) {
-  if (options.touching != Touching::Collides) return collideInside(a, pose_a, b, pose_b, cache, options);
-  return collide(a, pose_a, b, pose_b, cache, options);
+bool collide(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
+             Certificate* cache, const CollideOptions& options) {
+  Recollection recollection{};
+  const bool is_renewed = cache != nullptr && !cache->back_off.isOn();
+  if (is_renewed) {
+    recollection = recall(*cache, a, pose_a, b, pose_b, defect, options.margin);
+    if (recollection.certain) return recollection.collides;
+  }
+  return inKernelOrder(
+      a, pose_a, b, pose_b,
+      [&](const auto&... operands) {
+        if (is_renewed)
+          if (const std::optional<bool> renewed = renewCertificate(operands..., defect, *cache, recollection, options))
+            return *renewed;
+        return collideAfresh(operands..., defect, options, is_renewed ? nullptr : cache);
+      },
+      [](bool) {});
 }
 
 Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                        const CollideOptions& options, const CertificateWish& wish) {
-  if (asksForInteriors(options)) {
-    Outcome found = findCertificate(a, pose_a, b, pose_b, {}, wish);
-    if (!found.collides) return found;
-    // What keeps regions together doesn't keep their interiors together.
-    found.collides = interiorsMeet(a, pose_a, b, pose_b);
-    found.clearance = 0;
-    return found;
-  }
+                        double defect, const CollideOptions& options, const CertificateWish& wish) {
   const PosedPair placement(a, pose_a, b, pose_b);
   if (const auto found = certificateOfDiscs(placement, options.margin, wish)) return *found;
-  return findCloseCertificate(placement, options, wish);
+  return findCloseCertificate(placement, defect, options, wish);
 }
 
 std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-                                     Certificate& cache, const Recollection& recollection,
+                                     double defect, Certificate& cache, const Recollection& recollection,
                                      const CollideOptions& options) {
   claim(cache, a, b);
   if (!cache.isWorthRenewing(recollection.known, recollection.coherent)) {
@@ -127,7 +103,7 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
     cache.back_off.left = 1;  // discs cost no more than recall(), as long as they decide
     return found->collides;
   }
-  const Outcome found = findCloseCertificate(placement, options, wish);
+  const Outcome found = findCloseCertificate(placement, defect, options, wish);
   remember(cache, a, pose_a, b, pose_b, found.collides, found.clearance);
   // The last hit's edges meet again: that costs less than the query, unless all edges are tested at once.
   const bool hits_again =
@@ -138,5 +114,4 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
   return found.collides;
 }
 
-}  // namespace detail
-}  // namespace tricover
+}  // namespace tricover::detail

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "polygon/cache_contents.h"
-#include "tricover/collide.h"
+#include "polygon/polygon_data.h"
+#include "tricover/collide_options.h"
 
 namespace tricover::detail {
 
-/// collide() for margins of 0 and more; the cache may be null.
-bool collideWithin(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, Certificate* cache,
-                   const CollideOptions& options);
+/// collide() with options that have been checked, a margin of 0 or more, and touching as a collision unless there is a
+/// margin or a tolerance. `defect` is defectOf() the poses. The cache may be null.
+bool collide(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
+             Certificate* cache, const CollideOptions& options);
 
 }  // namespace tricover::detail

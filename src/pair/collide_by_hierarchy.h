@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
 #include "pair/edge_test.h"
 #include "pair/outcome.h"
+#include "pair/posed_pair.h"
 #include "pair/root_box.h"
-#include "tricover/collide.h"
+#include "tricover/collide_options.h"
 
 namespace tricover::detail {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hierarchy/hierarchy.h"
-#include "hierarchy/placement.h"
+#include "pair/posed_pair.h"
 
 namespace tricover::detail {
 

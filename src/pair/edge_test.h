@@ -3,7 +3,7 @@
 
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"
-#include "tricover/collide.h"
+#include "tricover/collide_options.h"
 
 namespace tricover::detail {
 

@@ -11,14 +11,15 @@
 #include "convex/convex_outline.h"
 #include "distance/distance_result.h"
 #include "numbers/errors.h"
+#include "numbers/rigidity.h"
 #include "numbers/segment.h"
+#include "overlay/interiors.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 #include "penetration/separating_axes.h"
 #include "penetration/translation_search.h"
 #include "polygon/cache_access.h"
 #include "polygon/edge_walk.h"
-#include "tricover/collide.h"
 
 namespace tricover {
 namespace detail {
@@ -289,7 +290,10 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
                                        PairCacheContents* cache, const PenetrationOptions& options) {
   requireFiniteNotNegative(options.margin, "margin");
   requireBounded(a, b);
-  if (!collide(a, pose_a, b, pose_b, {options.margin, 0, options.touching})) return std::nullopt;
+  requireTouching(options.touching);
+  const double defect = requireRigid(pose_a, pose_b);
+  if (!regionsCollide(a.data(), pose_a, b.data(), pose_b, defect, nullptr, {options.margin, 0, options.touching}))
+    return std::nullopt;
   return inKernelOrder(
       a.data(), pose_a, b.data(), pose_b,
       [&](const auto&... operands) {

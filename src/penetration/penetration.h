@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "distance/options.h"
+#include "distance/distance_query.h"
 #include "numbers/errors.h"
 #include "pair/world_frame.h"
 #include "polygon/cache_contents.h"

@@ -8,7 +8,7 @@
 
 #include "convex/convex_outline.h"
 #include "convex/posed_ring.h"
-#include "hierarchy/placement.h"
+#include "pair/posed_pair.h"
 
 namespace tricover::detail {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "numbers/segment.h"
+#include "overlay/rings.h"
 #include "pair/edge_pairs.h"
 #include "pair/world_frame.h"
-#include "penetration/rings.h"
 
 namespace tricover::detail {
 

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tricover/locate.h"
+#include "tricover/location.h"
 #include "tricover/pair_cache.h"
+#include "tricover/point_cache.h"
 
 namespace tricover::detail {
 

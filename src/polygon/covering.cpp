@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "polygon/edge_walk.h"
-#include "tricover/paper.h"
 
 namespace tricover::detail {
 
@@ -60,17 +59,3 @@ Inclusion CoveringSum::result() const {
 }
 
 }  // namespace tricover::detail
-
-namespace tricover::paper {
-
-std::vector<CoveringTriangle> covering(const Polygon& polygon) {
-  std::vector<CoveringTriangle> triangles;
-  triangles.reserve(polygon.vertexCount());
-  for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
-    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
-    triangles.push_back({s, v, w, detail::orientation(s, v, w)});
-  }
-  return triangles;
-}
-
-}  // namespace tricover::paper

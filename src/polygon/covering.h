@@ -4,7 +4,7 @@
 #include "numbers/predicates.h"
 #include "numbers/rigidity.h"
 #include "polygon/polygon_data.h"
-#include "tricover/locate.h"
+#include "tricover/location.h"
 
 namespace tricover::detail {
 

@@ -8,8 +8,8 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "overlay/interiors.h"
 #include "pair/discs.h"
-#include "pair/interiors.h"
 #include "scene/in_parallel.h"
 #include "scene/scene_state.h"
 
@@ -35,7 +35,7 @@ class CollisionQuery {
   }
 
   /// Returns a body that collides. Discs come first: two inner discs that meet save the tests of all outlines, which
-  /// wait. Among these the body whose box shares the largest area with the query's box is the likeliest to collide.
+  /// wait.
   std::optional<BodyHandle> anyColliding() const {
     std::array<Slot, kMostWaiting> waiting;
     std::size_t count = 0;
@@ -47,16 +47,8 @@ class CollisionQuery {
         waiting[count++] = slot;
       return !found;
     });
-    if (found || count == 0) return found;
-    std::size_t likeliest = 0;
-    double most = -1;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double shared = sharedArea(state_.tree.boundsOf(waiting[i]));
-      if (shared > most) most = shared, likeliest = i;
-    }
-    std::swap(waiting[0], waiting[likeliest]);
-    for (std::size_t i = 0; i < count; ++i)
-      if (outlinesMeet(waiting[i])) return state_.handleOf(waiting[i]);
+    for (std::size_t i = 0; i < count && !found; ++i)
+      if (outlinesMeet(waiting[i])) found = state_.handleOf(waiting[i]);
     return found;
   }
 
@@ -89,11 +81,6 @@ class CollisionQuery {
                                                      !(polygon_.data().isDegenerate() || other.isDegenerate()));
       return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && may_touch);
     });
-  }
-
-  double sharedArea(const Bounds& box) const {
-    return (std::min(box.max_x, bounds_.max_x) - std::max(box.min_x, bounds_.min_x)) *
-           (std::min(box.max_y, bounds_.max_y) - std::max(box.min_y, bounds_.min_y));
   }
 
   /// Tests what discs don't decide.

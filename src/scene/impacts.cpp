@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "depth/conflicts.h"
-#include "impact/options.h"
+#include "impact/impact_options.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "scene/in_parallel.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "distance/options.h"
+#include "distance/distance_query.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "scene/scene_state.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "numbers/errors.h"
-#include "pair/cast_ray.h"
+#include "overlay/plain_ray.h"
 #include "scene/scene_state.h"
 
 namespace tricover {

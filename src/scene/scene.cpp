@@ -9,7 +9,7 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
-#include "pair/interiors.h"
+#include "overlay/interiors.h"
 #include "scene/in_parallel.h"
 #include "scene/scene_state.h"
 

@@ -13,7 +13,7 @@
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "numbers/rounding.h"
-#include "pair/certificate.h"
+#include "overlay/interiors.h"
 #include "pair/kernel_order.h"
 #include "scene/in_parallel.h"
 
@@ -184,7 +184,8 @@ SceneState::Finding SceneState::look(Pair& pair) {
   Outcome found = inKernelOrder(
       p.polygon.data(), p.pose, q.polygon.data(), q.pose,
       [&](const auto&... operands) {
-        return findCertificate(operands..., certified, {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
+        return findCertificateOf(operands..., defectOf(p.pose, q.pose), certified,
+                                 {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});
       },
       [](const Outcome&) {});
   double room = found.collides ? found.clearance : roundedDown<1>(found.clearance - certified.margin);

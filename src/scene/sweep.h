@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "impact/cubic.h"
+#include "numbers/cubic.h"
 #include "numbers/rigidity.h"
 #include "scene/bounds.h"
 #include "scene/scene_state.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/solvers.h"
+#include "contact/contact_solvers.h"
 #include "contact_laws.h"
 #include "convex/convex_outline.h"
 #include "families.h"

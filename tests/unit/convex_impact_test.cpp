@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "hierarchy/simd.h"
-#include "impact/solvers.h"
+#include "impact/impact_solvers.h"
 #include "polygon/convexity.h"
 #include "portable_lanes.h"
 #include "random.h"

@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "hierarchy/simd.h"
-#include "impact/cubic.h"
 #include "impact/vertex_paths.h"
+#include "numbers/cubic.h"
 #include "portable_lanes.h"
 #include "random.h"
 #include "shapes.h"

@@ -10,7 +10,7 @@
 
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
-#include "distance/solvers.h"
+#include "distance/distance_solvers.h"
 #include "families.h"
 #include "hierarchy/simd.h"
 #include "pair/posed_pair.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "distance/solvers.h"
+#include "distance/distance_solvers.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"
@@ -23,6 +23,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "test_scale.h"
+#include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/segment.h"
 
@@ -124,8 +125,8 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   options.margin = 5;
   // Beside the largest disc inside, in another one.
   const Pose here = Pose::Identity(), beside = pose(0, 10, 0);
-  const detail::Outcome certificate =
-      detail::findCertificate(bar.data(), here, dot.data(), beside, options, {10, true});
+  const detail::Outcome certificate = detail::findCertificate(bar.data(), here, dot.data(), beside,
+                                                              detail::defectOf(here, beside), options, {10, true});
   EXPECT_TRUE(certificate.collides);
   EXPECT_GT(certificate.clearance, 1);
   EXPECT_LE(certificate.clearance, 4);

@@ -12,7 +12,7 @@
 #include "exact_reference.h"
 #include "hierarchy/hierarchy.h"
 #include "numbers/predicates.h"
-#include "pair/cast_ray.h"
+#include "overlay/plain_ray.h"
 #include "random.h"
 #include "refusal.h"
 #include "shapes.h"

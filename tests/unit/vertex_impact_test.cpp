@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hierarchy/simd.h"
-#include "impact/solvers.h"
+#include "impact/impact_solvers.h"
 #include "numbers/segment.h"
 #include "portable_lanes.h"
 #include "random.h"

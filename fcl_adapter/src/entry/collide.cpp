@@ -3,7 +3,6 @@
 
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 
-#include "numbers/require_touching.h"
 #include "queries/queries.h"
 #include "shape/errors.h"
 #include "shape/is_polygon.h"

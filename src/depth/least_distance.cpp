@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "impact/options.h"
+#include "impact/impact_options.h"
 #include "numbers/errors.h"
 #include "tricover/distance.h"
 #include "tricover/time_of_impact.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "impact/moving_pair.h"
-#include "tricover/time_of_impact.h"
+#include "tricover/impact.h"
 
 namespace tricover::detail {
 
@@ -32,8 +32,10 @@ FirstContact followVertices(const MovingPair& pair, double begin, double time_er
 /// Best-first search over both hierarchies and time: slower than what knows more of its polygons, and fit for all.
 FirstContact searchBoxes(const MovingPair& pair, double begin, double time_error);
 
-/// timeOfImpact() of operands in the kernel's order, with a margin that isn't negative, whatever they do at the begin.
-std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
-                                    const Motion& motion_b, const ImpactOptions& options);
+/// timeOfImpact() with a margin of 0 or more, whatever they do at the begin. Arguments have been checked.
+std::optional<Impact> impactOf(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                               const ImpactOptions& options);
+/// The operands' part of a result, for operands that have been swapped.
+void swapOperands(std::optional<Impact>& impact);
 
 }  // namespace tricover::detail

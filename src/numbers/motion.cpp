@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "impact/cubic.h"
-#include "impact/options.h"
+#include "numbers/cubic.h"
 #include "numbers/errors.h"
+#include "numbers/motion.h"
 #include "numbers/rigidity.h"
 
 namespace tricover {

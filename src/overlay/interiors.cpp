@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/interiors.h"
+#include "overlay/interiors.h"
 
 #include <utility>
 
 #include "hierarchy/simd.h"
+#include "overlay/edge_sides.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
-#include "pair/edge_sides.h"
 #include "pair/kernel_order.h"
 #include "pair/posed_pair.h"
 #include "polygon/edge_walk.h"
@@ -102,6 +102,17 @@ bool interiorsMeet(const PolygonData& polygon_a, const Pose& pose_a, const Polyg
         return depthOfDiscs(placement, 0) >= 0 || InteriorSearch(operands...).meet();
       },
       [](bool) {});
+}
+
+Outcome findCertificateOf(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                          double defect, const CollideOptions& options, const CertificateWish& wish) {
+  if (!asksForInteriors(options)) return findCertificate(a, pose_a, b, pose_b, defect, options, wish);
+  Outcome found = findCertificate(a, pose_a, b, pose_b, defect, {}, wish);
+  if (!found.collides) return found;
+  // What keeps regions together doesn't keep their interiors together.
+  found.collides = interiorsMeet(a, pose_a, b, pose_b);
+  found.clearance = 0;
+  return found;
 }
 
 }  // namespace tricover::detail

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/time_of_impact.h"
-
+// The first contact of two motions, with a margin of 0 or more.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "impact/options.h"
-#include "impact/solvers.h"
+#include "impact/impact_options.h"
+#include "impact/impact_solvers.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/kernel_order.h"
 #include "polygon/convexity.h"
@@ -113,8 +112,6 @@ constexpr Solver kSolvers[] = {
     {fitsAll, searchBoxes},
 };
 
-}  // namespace
-
 std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a, const PolygonData& b,
                                     const Motion& motion_b, const ImpactOptions& options) {
   Impact impact;
@@ -131,6 +128,21 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
     if (found.verdict == FirstContact::Verdict::Touch) break;
   }
   return describe(pair, found);
+}
+
+}  // namespace
+
+std::optional<Impact> impactOf(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
+                               const ImpactOptions& options) {
+  return inKernelOrder(
+      a.data(), motion_a, b.data(), motion_b,
+      [&](const auto&... operands) { return impactInOrder(operands..., options); }, swapOperands);
+}
+
+void swapOperands(std::optional<Impact>& impact) {
+  if (!impact) return;
+  impact->normal = -impact->normal;
+  std::swap(impact->edge_a, impact->edge_b);
 }
 
 }  // namespace tricover::detail

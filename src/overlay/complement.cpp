@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The complement of a polygon: rings without the edges that are inside or outside of the region as a whole.
-#include "pair/complement.h"
+#include "overlay/complement.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 
 #include "numbers/errors.h"
 #include "numbers/predicates.h"
+#include "overlay/edge_sides.h"
 #include "pair/edge_pairs.h"
-#include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
 #include "polygon/polygon_data.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "overlay/union_covers.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -6,9 +8,8 @@
 
 #include "hierarchy/simd.h"
 #include "numbers/rigidity.h"
-#include "pair/coverage.h"
+#include "overlay/edge_sides.h"
 #include "pair/edge_pairs.h"
-#include "pair/edge_sides.h"
 #include "polygon/edge_walk.h"
 
 namespace tricover::detail {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "numbers/require_touching.h"
-#include "pair/edge_sides.h"
+#include "overlay/edge_sides.h"
+#include "pair/certificate.h"
+#include "pair/collide.h"
 #include "polygon/polygon_data.h"
-#include "tricover/collide.h"
+#include "tricover/collide_options.h"
 
 namespace tricover::detail {
 
@@ -21,5 +22,17 @@ bool isInInterior(const PosedPair& pair, EdgeSides::Operand operand, std::size_t
 inline bool asksForInteriors(const CollideOptions& options) {
   return options.touching == Touching::Allowed && options.margin == 0 && options.tolerance == 0;
 }
+
+/// collide() with a margin of 0 or more, for operands and options that have been checked. `defect` is defectOf() the
+/// poses. The cache may be null.
+inline bool regionsCollide(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                           double defect, Certificate* cache, const CollideOptions& options) {
+  if (!asksForInteriors(options)) return collide(a, pose_a, b, pose_b, defect, cache, options);
+  return collide(a, pose_a, b, pose_b, defect, cache, {}) && interiorsMeet(a, pose_a, b, pose_b);
+}
+
+/// findCertificate(), where touching may be allowed.
+Outcome findCertificateOf(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+                          double defect, const CollideOptions& options, const CertificateWish& wish);
 
 }  // namespace tricover::detail

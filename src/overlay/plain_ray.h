@@ -6,7 +6,7 @@
 
 #include "polygon/polygon_data.h"
 #include "tricover/pose.h"
-#include "tricover/ray.h"
+#include "tricover/ray_hit.h"
 
 namespace tricover::detail {
 

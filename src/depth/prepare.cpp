@@ -3,8 +3,8 @@
 
 #include "convex/convex_outline.h"
 #include "hierarchy/hierarchy.h"
+#include "overlay/rings.h"
 #include "pair/ring_starts.h"
-#include "penetration/rings.h"
 
 namespace tricover {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/outer_rings.h"
+#include "overlay/outer_rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/segment.h"
-#include "pair/edge_sides.h"
+#include "overlay/edge_sides.h"
 #include "polygon/simplified.h"
 
 namespace tricover {

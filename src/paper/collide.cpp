@@ -7,13 +7,13 @@
 
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "overlay/interiors.h"
 #include "pair/containment.h"
 #include "pair/discs.h"
-#include "pair/interiors.h"
 #include "pair/kernel_order.h"
 #include "pair/posed_pair.h"
+#include "paper/influence_area.h"
 #include "polygon/cache_access.h"
-#include "polygon/influence_area.h"
 #include "tricover/paper.h"
 
 namespace tricover {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "numbers/errors.h"
-#include "tricover/time_of_impact.h"
+#include "numbers/motion.h"
+#include "tricover/impact.h"
 
 namespace tricover::detail {
 
@@ -26,19 +26,6 @@ inline double timeWithin(double begin, double length, double share) {
   if (begin == 0 && length == 1) return share;
   constexpr double kDown = -std::numeric_limits<double>::infinity();
   return share > 0 ? std::max(begin, std::nextafter(begin + length * share, kDown)) : begin;
-}
-
-inline void requireFinite(double time, const char* field) {
-  if (!std::isfinite(time)) refuse(field, "it is not finite", "give a finite time");
-}
-
-/// Motion::between() of two poses that errors call by these names.
-Motion motionBetween(const Pose& start, const std::string& start_name, const Pose& end, const std::string& end_name,
-                     const Vec2& pivot);
-
-inline void checkMotions(const Motion& motion_a, const Motion& motion_b) {
-  checkMotion(motion_a, "motion_a");
-  checkMotion(motion_b, "motion_b");
 }
 
 }  // namespace tricover::detail

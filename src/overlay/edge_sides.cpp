@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/edge_sides.h"
+#include "overlay/edge_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "penetration/rings.h"
+#include "overlay/rings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair/cast_ray.h"
+#include "overlay/plain_ray.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "numbers/errors.h"
-#include "polygon/influence_area.h"
+#include "paper/influence_area.h"
 #include "polygon/polygon_data.h"
 #include "tricover/paper.h"
 
@@ -54,6 +54,16 @@ void check(const Vec2& point, double length) {
 }
 
 }  // namespace
+
+std::vector<CoveringTriangle> covering(const Polygon& polygon) {
+  std::vector<CoveringTriangle> triangles;
+  triangles.reserve(polygon.vertexCount());
+  for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
+    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+    triangles.push_back({s, v, w, detail::orientation(s, v, w)});
+  }
+  return triangles;
+}
 
 bool inInfluenceArea(const Polygon& polygon, EdgeIndex edge, const Vec2& point, double length, InfluenceKind kind) {
   check(point, length);

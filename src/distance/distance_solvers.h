@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "distance/distance_query.h"
 #include "distance/distance_result.h"
-#include "distance/options.h"
 #include "polygon/cache_contents.h"
 
 namespace tricover::detail {

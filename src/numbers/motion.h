@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "numbers/errors.h"
+#include "tricover/motion.h"
+
+namespace tricover::detail {
+
+inline void requireFinite(double time, const char* field) {
+  if (!std::isfinite(time)) refuse(field, "it is not finite", "give a finite time");
+}
+
+/// Motion::between() of two poses that errors call by these names.
+Motion motionBetween(const Pose& start, const std::string& start_name, const Pose& end, const std::string& end_name,
+                     const Vec2& pivot);
+
+inline void checkMotions(const Motion& motion_a, const Motion& motion_b) {
+  checkMotion(motion_a, "motion_a");
+  checkMotion(motion_b, "motion_b");
+}
+
+}  // namespace tricover::detail
