@@ -146,6 +146,26 @@ int orientTwofold(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r)
 
 double rootOf(const Dyadic::Scaled& square) { return std::ldexp(std::sqrt(square.mantissa), square.exponent / 2); }
 
+/// A point beside the segment from v to w, along u. Returns ofEnd(the way from that end to the point, 0 or 1) where an
+/// end is nearest; otherwise ofInner(the area of u and from_v, their dot product).
+template <class Real, class FromW, class OfEnd, class OfInner>
+auto besideSegment(const ExactVectorOf<Real>& u, const ExactVectorOf<Real>& from_v, FromW fromW, OfEnd ofEnd,
+                   OfInner ofInner) {
+  const Real along = dot(from_v, u);
+  if (along.sign() <= 0) return ofEnd(from_v, 0);
+  const ExactVectorOf<Real> from_w = fromW();
+  if (dot(from_w, u).sign() >= 0) return ofEnd(from_w, 1);
+  return ofInner(cross(u, from_v), along);
+}
+
+/// The sign of the square of the distance minus `square`.
+template <class Real, class FromW>
+int compareDistance(const ExactVectorOf<Real>& u, const ExactVectorOf<Real>& from_v, FromW fromW, const Real& square) {
+  return besideSegment(
+      u, from_v, fromW, [&](const ExactVectorOf<Real>& way, int) { return (dot(way, way) - square).sign(); },
+      [&](const Real& area, const Real&) { return (area * area - square * dot(u, u)).sign(); });
+}
+
 }  // namespace
 
 int orientExact(const PosedPoint& p, const PosedPoint& q, const PosedPoint& r) {
@@ -165,14 +185,9 @@ bool betweenExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w)
 
 bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, double length, bool strictly) {
   countExactCall();
-  const int most = strictly ? -1 : 0;
-  const Number square = Number(length) * Number(length);
-  const ExactVector u = difference(w, v), from_v = difference(p, v);
-  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() <= most;
-  const ExactVector from_w = difference(p, w);
-  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() <= most;
-  const Number area = cross(u, from_v);
-  return (area * area - square * dot(u, u)).sign() <= most;
+  const auto fromW = [&] { return difference(p, w); };
+  const int sign = compareDistance(difference(w, v), difference(p, v), fromW, Number(length) * Number(length));
+  return sign < 0 || (sign == 0 && !strictly);
 }
 
 // A mantissa is right to 2U, the root of one to U + U, their quotient to 2U + 2U + U. The one scaling rounds again only
@@ -180,14 +195,17 @@ bool withinExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w, 
 static_assert(kExactDistanceError >= errorOf(2 + 2 + 1));
 ExactDistance distanceExact(const PosedPoint& p, const PosedPoint& v, const PosedPoint& w) {
   countExactCall();
-  const ExactVector u = difference(w, v), from_v = difference(p, v);
-  const Number along = dot(from_v, u);
-  if (along.sign() <= 0) return {rootOf(dot(from_v, from_v).scaled()), 0};
-  const ExactVector from_w = difference(p, w);
-  if (dot(from_w, u).sign() >= 0) return {rootOf(dot(from_w, from_w).scaled()), 1};
-  const Dyadic::Scaled area = cross(u, from_v).scaled(), square = dot(u, u).scaled(), part = along.scaled();
-  return {std::ldexp(std::abs(area.mantissa) / std::sqrt(square.mantissa), area.exponent - square.exponent / 2),
-          std::min(std::ldexp(part.mantissa / square.mantissa, part.exponent - square.exponent), 1.0)};
+  const ExactVector u = difference(w, v);
+  const auto ofEnd = [](const ExactVector& way, int end) -> ExactDistance {
+    return {rootOf(dot(way, way).scaled()), static_cast<double>(end)};
+  };
+  const auto ofInner = [&](const Number& area_u, const Number& along) -> ExactDistance {
+    const Dyadic::Scaled area = area_u.scaled(), square = dot(u, u).scaled(), part = along.scaled();
+    return {std::ldexp(std::abs(area.mantissa) / std::sqrt(square.mantissa), area.exponent - square.exponent / 2),
+            std::min(std::ldexp(part.mantissa / square.mantissa, part.exponent - square.exponent), 1.0)};
+  };
+  return besideSegment(
+      u, difference(p, v), [&] { return difference(p, w); }, ofEnd, ofInner);
 }
 
 // Both mantissas are right to 2U, and their quotient rounds once more.
@@ -222,11 +240,8 @@ bool meetingWithinExact(const PosedSegment& ray, const PosedSegment& edge, const
     const Vector way = difference<LongNumber>(ray[0], p);
     return {way.x * at.denominator + d.x * at.numerator, way.y * at.denominator + d.y * at.numerator};
   };
-  const Vector from_v = from(other[0]), from_w = from(other[1]);
-  if (dot(from_v, u).sign() <= 0) return (dot(from_v, from_v) - square).sign() < 0;
-  if (dot(from_w, u).sign() >= 0) return (dot(from_w, from_w) - square).sign() < 0;
-  const LongNumber area = cross(u, from_v);
-  return (area * area - square * dot(u, u)).sign() < 0;
+  return compareDistance(
+             u, from(other[0]), [&] { return from(other[1]); }, square) < 0;
 }
 
 #ifdef TRICOVER_TEST_SWITCHES

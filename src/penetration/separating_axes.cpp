@@ -119,7 +119,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
       size_(roundedUp<4>(pair.size())),
       a_(pair.a, pair.pose_a, Double2{}),
       b_(pair.b, pair.pose_b, pair.shift()),
-      within_(tie() + 3 * kDepthError * error()) {
+      within_(tie() + 3 * depthError()) {
   static_assert(kDepthError * kError >= kUnitRows * kSumOfDepthErrors * kUnitRoundoff &&
                 kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * TurnBack::kError));
   if (!(size_ < 0x1p200)) return;  // areas or their squares may overflow
@@ -175,7 +175,7 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge
   face.of_a = of_a;
   face.edge = edge;
   face.depth = dot(outwards, own.ring.corner(edge) - deepest) / std::sqrt(square);
-  if (face.depth < -kDepthError * error()) return Apart;
+  if (face.depth < -depthError()) return Apart;
   add(face);
   return Meet;
 }
@@ -193,7 +193,7 @@ std::uint32_t SeparatingAxes::edgeTowardsB() const {
 void SeparatingAxes::skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const {
   // What the point and an area are off by, of edges that are at most 2 sqrt2 sizes long; and a depth in the world is an
   // area times the determinant by the edge's length there.
-  const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + kDepthError * error(),
+  const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + depthError(),
                most_square = most * most * (1 + 8.1 * kLargestDefect);
   const ConvexRing& ring = side.ring.ring;
   const Double2 point = side.inOwnFrame(p);

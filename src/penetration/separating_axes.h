@@ -66,6 +66,8 @@ class SeparatingAxes {
   double error() const { return kError * size_; }
   /// At least the lengths of any corner of a's frame, one of b's and the two translations' difference together.
   double size() const { return size_; }
+  /// What a depth is off by, at most.
+  double depthError() const { return kDepthError * error(); }
   /// What counts as equally deep.
   double tie() const { return 4 * error(); }
 
@@ -78,8 +80,7 @@ class SeparatingAxes {
   void add(const FaceDepth& face);
   void removeDeep();
 
-  /// What a depth is off by, at most, in units of error().
-  static constexpr double kDepthError = 12;
+  static constexpr double kDepthError = 12;  ///< in units of error()
   static constexpr double kError = 20 * kUnitRoundoff;
 
   const PosedPair& pair_;
