@@ -5,12 +5,12 @@
 
 namespace tricover::detail {
 
-/// Where a march is: nothing happens before `time`.
+/// How far a march has come: nothing happens before `time`.
 struct Reached {
   double time;
-  bool is_last;  ///< the march ends here
+  bool is_known;  ///< whether it is known what happens then, and the march ends
 
-  bool isOpen() const { return !is_last; }
+  bool isOpen() const { return !is_known; }
 };
 
 /// A march in time: step(time) proves until when nothing happens, if nothing does before `time`. Nothing is proven by
