@@ -145,26 +145,22 @@ bool MovingContact::featuresStay(double time, double next) const {
 
 /// The end is the first of the times begin + seen_, begin + 2 seen_ ... at which they are apart, whatever was proven of
 /// those before it: what a certificate proves depends on what was asked of the polygons before.
-MovingContact::End MovingContact::endOfContact(double begin) {
+Reached MovingContact::endOfContact(double begin) {
   if (steps_left_-- <= 0) return {begin, false};
   const auto timeAfter = [&](double steps) { return std::min(1.0, begin + steps * seen_); };
   // An impact is told up to so much too early.
-  double done = begin > 0 || !touchAt(0) ? 1 : 0, step = 1;
+  double done = begin > 0 || !touchAt(0) ? 1 : 0, steps = 1;
   if (done > 0 && !touchAt(timeAfter(done))) return {timeAfter(done), true};
   if (meetUntil(timeAfter(done), 1)) return {1, true};
-  while (timeAfter(done) < 1) {
-    const double next = timeAfter(done + step);
-    if (step > 1 && !meetUntil(timeAfter(done), next)) {
-      step *= 0.5;
-      continue;
-    }
-    if (steps_left_-- <= 0) return {timeAfter(done), false};
+  return march(Reached{timeAfter(done), timeAfter(done) == 1}, steps_left_, [&](double time) -> std::optional<Reached> {
+    --steps_left_;
     // A step that proves nothing is no longer than what is seen.
-    if (!touchAt(next)) return {next, true};
-    done += step;
-    step *= 4;
-  }
-  return {1, true};
+    while (steps > 1 && !meetUntil(time, timeAfter(done + steps))) steps *= 0.5;
+    done += steps;
+    steps *= 4;
+    const bool meet = touchAt(timeAfter(done));
+    return Reached{timeAfter(done), !meet || timeAfter(done) == 1};
+  });
 }
 
 std::optional<Impact> MovingContact::next(double begin) const {
@@ -180,7 +176,7 @@ void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, co
   const double length = end - begin;
   const ImpactOptions options = optionsWithin(clocks_options, length);
   MovingContact contact(a, motion_a, b, motion_b, options);
-  const auto add = [&](Impact impact, const MovingContact::End& last) {
+  const auto add = [&](Impact impact, const Reached& last) {
     impact.time = timeWithin(begin, length, impact.time);
     if (all.empty() || impact.time > all.back().end) all.push_back({impact, end});
     all.back().end = last.is_known && last.time < 1 ? std::min(end, begin + length * last.time) : end;
@@ -202,7 +198,7 @@ void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, co
     }
   }
   while (const auto impact = contact.next(time)) {
-    const auto last = impact->budget_ended ? MovingContact::End{1, false} : contact.endOfContact(impact->time);
+    const auto last = impact->budget_ended ? Reached{1, false} : contact.endOfContact(impact->time);
     add(*impact, last);
     time = last.is_known ? last.time : 1;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "impact/moving_pair.h"
+#include "numbers/march.h"
 #include "tricover/conflicts.h"
 #include "tricover/depth.h"
 #include "tricover/trajectory.h"
@@ -20,12 +21,9 @@ class MovingContact {
   MovingContact(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                 const ImpactOptions& options);
 
-  struct End {
-    double time;    ///< until which all steps met; by half of time_error too late at most
-    bool is_known;  ///< false if the steps ended before the contact did
-  };
-  /// Returns when polygons are apart again that met, or were about to, at `begin`; 1 if they meet until then.
-  End endOfContact(double begin);
+  /// Returns when polygons are apart again that met, or were about to, at `begin`, by half of time_error too late at
+  /// most; 1 if they meet until then. It is unknown if the steps ended before the contact did.
+  Reached endOfContact(double begin);
 
   /// Returns the first contact from `begin` on, where they are apart unless it is 0.
   std::optional<Impact> next(double begin) const;

@@ -17,14 +17,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
-#include "depth/directions.h"
+#include "depth/cells.h"
 #include "depth/inner_arcs.h"
 #include "depth/peak.h"
-#include "depth/piece.h"
-#include "depth/posed_side.h"
 #include "numbers/best_first.h"
 #include "overlay/rings.h"
 #include "pair/edge_pairs.h"
@@ -36,8 +33,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostSteps = std::size_t{1} << 17;
 
-/// Of an area near a cell: with more of them the cell is cut.
-constexpr std::size_t kMostEdges = 48;
 /// At the peak of a piece, then it is cut.
 constexpr int kMostLooks = 24;
 /// A cell is large if its height is more than this share of the distance in it. A large cell is cut before it is looked
@@ -57,6 +52,7 @@ class DepthSearch {
         inside_(is_concave_ ? regionSidesOf(area_.polygon).rings[0] * (area_.isMirrored() ? -1 : 1) : 0),
         precision_(overlap.precision()),
         enough_((enough + kTiny) / frame_.unit() + precision_),
+        cells_(overlap, part_, area_),
         search_(-least / frame_.unit()) {}
 
   DeepestPoint find() {
@@ -81,12 +77,6 @@ class DepthSearch {
     const Vec2 v = area_.vertex(edge), along = area_.vertex(edge + 1) - v;
     const double length = along.norm();
     return length > 0 ? inside_ * cross(along, p - v) / length : area_.distance(edge, p);
-  }
-
-  bool isOutside(const Vec2& p) const {
-    if (overlap_.excludes) return overlap_.excludes(frame_.toWorld(p));
-    const Location location = area_.locate(p);
-    return is_outside_ ? location == Location::Inside : location == Location::Outside;
   }
 
   bool run() {
@@ -165,7 +155,7 @@ class DepthSearch {
   Look look(Piece& piece, const Vec2& point, std::ptrdiff_t edge) {
     const PosedSide::Near near = area_.nearest(point);
     if (!piece.is_known && near.distance > 4 * frame_.error()) {
-      piece.is_known = isOutside(point);
+      piece.is_known = cells_.isOutsideOfArea(point);
       if (!piece.is_known) return Look::InArea;
     }
     const bool is_deepest = offer(point, near, edge), is_new = piece.addEdge(near.edge);
@@ -274,12 +264,12 @@ class DepthSearch {
     const PosedSide::Near near = area_.nearest(center);
     double most = 0;
     for (const Vec2& p : {v, u, w, t}) most = std::max(most, distance(near.edge, p));
-    most = std::min(most, (isOutside(center) ? near.distance : -near.distance) + (w - center).norm());
+    most = std::min(most, (cells_.isOutsideOfArea(center) ? near.distance : -near.distance) + (w - center).norm());
     if (most + search_.upper <= precision_) return;
     for (const Vec2& p : {u, t}) {
       Piece cell{-most, 3};
       cell.corner = {v, w, p};
-      if (!gatherNearest(cell) || !leadsAway()) pushCell(cell);
+      if (cells_.mayHoldMaximum(cell)) pushCell(cell);
     }
   }
 
@@ -290,26 +280,11 @@ class DepthSearch {
     search_.push(cell);
   }
 
-  /// Whether some direction leads away from all of these edges, which are borders with a known side, wherever outside
-  /// of the area one of them is the nearest: beside an edge along its normal, at a vertex between two of these.
-  bool leadsAway() const {
-    const std::vector<std::int8_t>& sides = regionSidesOf(area_.polygon).rings;
-    OneSidedDirections normals;
-    for (const std::size_t edge : edges_) {
-      const int side = sides[area_.polygon.ringOf(edge)] * (is_outside_ ? 1 : -1) * (area_.isMirrored() ? -1 : 1);
-      const Vec2 along = area_.vertex(edge + 1) - area_.vertex(edge);
-      if (side == 0) return false;
-      if (!along.isZero(0)) normals.add(side * Vec2(-along.y(), along.x()));
-      if (!normals.areOneSided()) return false;
-    }
-    return true;
-  }
-
   void expandCell(Piece& cell) {
     const Vec2 place = cell.place;
     const double reach = reachOf(cell, place);
     const PosedSide::Near near = area_.nearest(place);
-    const bool is_outside = isOutside(place);
+    const bool is_outside = cells_.isOutsideOfArea(place);
     if (!is_outside && near.distance > reach) return;
     const bool is_in_part = part_.locate(place) != Location::Outside;
     if (!is_in_part && part_.nearest(place).distance > reach) return;
@@ -328,106 +303,7 @@ class DepthSearch {
       return search_.push(cell);
     }
     if (!is_large && cutAtDeepest(cell)) return;
-    if (!gatherNearest(cell)) return cut(cell, nullptr);
-    if (leadsAway()) return;
-    if (is_large) return cut(cell, nullptr);
-    std::optional<Ends> crossing = edgeAcross(cell, area_, edges_);
-    if (!crossing && (isInArea(cell) || leadsAwayFrom(cell))) return;
-    if (!crossing && gather(part_, cell, 0, part_edges_)) {
-      crossing = edgeAcross(cell, part_, part_edges_);
-      if (!crossing && isOutsideOfPart(cell)) return;
-    }
-    cut(cell, crossing ? &*crossing : nullptr);
-  }
-
-  /// Of a cell that no edge leads through.
-  bool isInArea(const Piece& cell) const {
-    const Vec2 center = centerOf(cell);
-    return area_.nearest(center).distance > 4 * frame_.error() && !isOutside(center);
-  }
-  bool isOutsideOfPart(const Piece& cell) const {
-    const Vec2 center = centerOf(cell);
-    return part_.nearest(center).distance > 4 * frame_.error() && part_.locate(center) == Location::Outside;
-  }
-
-  /// Finds the area's edges that may be the nearest ones somewhere in a cell. False if there are too many.
-  bool gatherNearest(const Piece& cell) { return gather(area_, cell, -cell.least, edges_); }
-
-  /// Finds edges within reach of a cell.
-  static bool gather(const PosedSide& side, const Piece& cell, double reach, std::vector<std::size_t>& edges) {
-    const std::size_t longest = longestSideOf(cell);
-    const Vec2 center = centerOf(cell);
-    const double farthest = reach + reachOf(cell, center);
-    edges.clear();
-    side.forEachNear(cell.corner[longest], cell.corner[(longest + 1) % 3], reach + heightOf(cell),
-                     [&](std::size_t edge) {
-                       if (side.distance(edge, center) <= farthest) edges.push_back(edge);
-                       return edges.size() < kMostEdges;
-                     });
-    return edges.size() < kMostEdges;
-  }
-
-  /// The same as leadsAway(), by the directions from the nearest points of edges that don't lead through the cell.
-  bool leadsAwayFrom(const Piece& cell) const {
-    OneSidedDirections directions;
-    for (const std::size_t edge : edges_) {
-      bool is_known = false;
-      for (const Vec2& corner : cell.corner) {
-        const Vec2 way = corner - area_.foot(edge, corner);
-        if (way.norm() > 64 * frame_.error()) directions.add(way), is_known = true;
-      }
-      if (!is_known || !directions.areOneSided()) return false;
-    }
-    return true;
-  }
-
-  /// An edge that leads through a cell's interior, if there is one: that whose line is nearest to the centre.
-  std::optional<Ends> edgeAcross(const Piece& cell, const PosedSide& side,
-                                 const std::vector<std::size_t>& edges) const {
-    const Vec2 center = centerOf(cell);
-    std::optional<Ends> best;
-    double nearest = kInfinity;
-    for (const std::size_t edge : edges) {
-      const Ends ends{side.vertex(edge), side.vertex(edge + 1)};
-      const double length = (ends.w - ends.v).norm();
-      if (!leadsThrough(cell, ends, length)) continue;
-      const double beside = std::abs(cross(ends.w - ends.v, center - ends.v)) / length;
-      if (beside < nearest) nearest = beside, best = ends;
-    }
-    return best;
-  }
-
-  /// Clips the edge by the triangle, made smaller by rounding.
-  bool leadsThrough(const Piece& cell, const Ends& ends, double length) const {
-    if (length == 0) return false;
-    const double turn = cross(cell.corner[1] - cell.corner[0], cell.corner[2] - cell.corner[0]) > 0 ? 1 : -1;
-    double from = 0, to = 1;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vec2 &v = cell.corner[c], side = (cell.corner[(c + 1) % 3] - v) * turn;
-      const double room = 16 * frame_.error() * side.norm();
-      const double at_v = cross(side, ends.v - v) - room, at_w = cross(side, ends.w - v) - room;
-      if (at_v < 0 && at_w < 0) return false;
-      if (at_v < 0) from = std::max(from, at_v / (at_v - at_w));
-      if (at_w < 0) to = std::min(to, at_v / (at_v - at_w));
-    }
-    return from < to;
-  }
-
-  /// Cuts along an edge's line, or else in the middle of the longest side.
-  void cut(const Piece& cell, const Ends* edge) {
-    const std::size_t longest = longestSideOf(cell);
-    if (!((cell.corner[(longest + 1) % 3] - cell.corner[longest]).norm() > 4 * frame_.error())) return;
-    Vec2 v = 0.5 * cell.corner[longest] + 0.5 * cell.corner[(longest + 1) % 3],
-         along = cell.corner[(longest + 2) % 3] - v;
-    if (edge != nullptr) v = edge->v, along = edge->w - edge->v;
-    std::array<double, 3> beside;
-    for (std::size_t c = 0; c < 3; ++c) {
-      beside[c] = cross(along, cell.corner[c] - v);
-      const bool is_on_line =
-          edge != nullptr ? std::abs(beside[c]) <= 2 * frame_.error() * along.norm() : c == (longest + 2) % 3;
-      if (is_on_line) beside[c] = 0;
-    }
-    for (const double side : {1.0, -1.0}) addHalf(cell, beside, side);
+    for (const Piece& part : cells_.divide(cell, is_large)) pushCell(part);
   }
 
   /// Cuts a cell at the deepest point so far, if that is in it.
@@ -441,25 +317,6 @@ class DepthSearch {
     return true;
   }
 
-  /// What is on one side of a line, as a fan.
-  void addHalf(const Piece& cell, const std::array<double, 3>& beside, double side) {
-    std::array<Vec2, 4> kept;
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t d = (c + 1) % 3;
-      const double at_c = side * beside[c], at_d = side * beside[d];
-      if (at_c >= 0) kept[count++] = cell.corner[c];
-      if ((at_c < 0 && at_d > 0) || (at_c > 0 && at_d < 0))
-        kept[count++] = cell.corner[c] + at_c / (at_c - at_d) * (cell.corner[d] - cell.corner[c]);
-    }
-    for (std::size_t i = 2; i < count; ++i) {
-      Piece half = cell;
-      half.corner = {kept[0], kept[i - 1], kept[i]};
-      if (heightOf(half) <= 0.25 * frame_.error()) continue;  // but for rounding the neighbours hold it
-      pushCell(half);
-    }
-  }
-
   const Overlap& overlap_;
   const WorldFrame& frame_;
   const PosedSide part_, area_;
@@ -467,10 +324,10 @@ class DepthSearch {
   const bool is_outside_, is_concave_;
   const double inside_;  ///< of a convex region: 1 if that is to the left of its edges, -1 to the right
   const double precision_, enough_;
+  Cells cells_;
   BestFirst<Piece> search_;
   DeepestPoint best_;  ///< in the frame
   std::size_t steps_ = 0;
-  std::vector<std::size_t> edges_, part_edges_;  ///< of the area, and of the part, that are near a cell
 };
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "convex/convex_ring.h"
 #include "hierarchy/simd.h"
 #include "impact/impact_solvers.h"
 #include "impact/interval_cutter.h"
+#include "numbers/march.h"
 #include "numbers/rounding.h"
 #include "polygon/convexity.h"
 
@@ -148,38 +150,39 @@ class ConvexAdvancement {
         face_(at_a_.originTo(at_b_)) {}
 
   FirstContact run() {
-    bool stale = true;  // whether the features are to be guessed anew
-    for (int step = 0; step < kMostAdvances; ++step) {
-      const bool fresh = stale;
-      const NearestPoints points = stale && !(areSmall() && guess()) ? walk() : nearestNow();
-      // Written so that NaN is a touch.
-      if (!(points.distance > touch_distance_)) {
-        if (time_ == 0) break;
-        return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_));
-      }
-      const Vec2 axis = (points.on_b - points.on_a) / points.distance;
-      const double before = time_, end = std::min(1.0, time_ + intervalFor(points, axis));
-      const TimeInterval interval(pair_, time_, end, placesUntil(end, pair_.a, at_a_),
-                                  placesUntil(end, pair_.b, at_b_));
-      distance_ = points.distance - pair_.margin;
-      bool apart = advance(interval, axis);
-      stale = !(gap_ >= 0.5 * points.distance);
-      if (!apart && stale && fresh) apart = advance(interval, face_);
-      if (apart && end == 1) return FirstContact::never();
-      if (!apart && time_ > before && end - time_ <= time_error_ &&
-          !(nearest(interval.a, interval.b, 1).distance > touch_distance_))
-        return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_));
-      if (time_ > before) {
-        place(interval);
-      } else {
-        if (fresh) break;
-        stale = true;
-      }
+    return march(FirstContact::unknown(begin_), kMostAdvances, [&](double) { return step(); });
+  }
+
+ private:
+  /// By the features of the last step or, where these proved nothing, by new ones.
+  std::optional<FirstContact> step() {
+    const bool is_fresh = is_stale_;
+    const NearestPoints points = is_stale_ && !(areSmall() && guess()) ? walk() : nearestNow();
+    // Written so that NaN is a touch.
+    if (!(points.distance > touch_distance_)) {
+      if (time_ == 0) return std::nullopt;
+      return touch();
+    }
+    const Vec2 axis = (points.on_b - points.on_a) / points.distance;
+    const double before = time_, end = std::min(1.0, time_ + intervalFor(points, axis));
+    const TimeInterval interval(pair_, time_, end, placesUntil(end, pair_.a, at_a_), placesUntil(end, pair_.b, at_b_));
+    distance_ = points.distance - pair_.margin;
+    bool apart = advance(interval, axis);
+    is_stale_ = !(gap_ >= 0.5 * points.distance);
+    if (!apart && is_stale_ && is_fresh) apart = advance(interval, face_);
+    if (apart && end == 1) return FirstContact::never();
+    if (time_ > before) {
+      if (!apart && end - time_ <= time_error_ && !(nearest(interval.a, interval.b, 1).distance > touch_distance_))
+        return touch();
+      place(interval);
+    } else {
+      if (is_fresh) return std::nullopt;
+      is_stale_ = true;
     }
     return FirstContact::unknown(time_);
   }
 
- private:
+  FirstContact touch() const { return FirstContact::touch(time_, a_.position(edge_a_), b_.position(edge_b_)); }
   bool areSmall() const { return pair_.a.tree->small_convex && pair_.b.tree->small_convex; }
 
   /// a's pivot stays.
@@ -297,6 +300,7 @@ class ConvexAdvancement {
   Places at_a_, at_b_;   ///< then
   double time_error_, touch_distance_;
   std::uint32_t edge_a_ = 0, edge_b_ = 0;  ///< that may be nearest
+  bool is_stale_ = true;                   ///< the features are to be guessed anew
   Vec2 face_;                              ///< an axis from a to b: the last that they were looked for by
   double distance_ = 0;                    ///< of the nearest points that are known, beyond the margin
   double gap_ = 0;                         ///< along the last axis, at the interval's begin

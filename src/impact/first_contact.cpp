@@ -116,17 +116,14 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
                                     const Motion& motion_b, const ImpactOptions& options) {
   Impact impact;
   FirstContact found = slideConvex(a, motion_a, b, motion_b, options.margin, impact);
-  if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
   if (found.verdict == FirstContact::Verdict::Touch) return impact;
+  if (!found.isOpen()) return std::nullopt;
   MovingPair pair(a, motion_a, b, motion_b, options.margin);
   if (pair.discsStayApart()) return std::nullopt;
   pair.prepare();
-  for (const Solver& solver : kSolvers) {
-    if (!solver.fits(pair)) continue;
-    found = solver.solve(pair, found.time, options.time_error);
-    if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
-    if (found.verdict == FirstContact::Verdict::Touch) break;
-  }
+  for (const Solver& solver : kSolvers)
+    if (found.isOpen() && solver.fits(pair)) found = solver.solve(pair, found.time, options.time_error);
+  if (found.verdict == FirstContact::Verdict::Never) return std::nullopt;
   return describe(pair, found);
 }
 

@@ -190,6 +190,8 @@ struct FirstContact {
   std::ptrdiff_t edge_a, edge_b;  ///< of a touch: positions in the paths; one is -1 where a ring is inside at time 0
   bool budget_ended = false;      ///< of a touch: it was not found, only that nothing touches before
 
+  bool isOpen() const { return verdict == Verdict::Unknown; }
+
   static FirstContact never() { return {Verdict::Never, 1, -1, -1}; }
   static FirstContact unknown(double time) { return {Verdict::Unknown, time, -1, -1}; }
   /// Of two that are apart at time 0, though it may be by less than rounding.

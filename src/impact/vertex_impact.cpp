@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "hierarchy/simd.h"
 #include "impact/impact_solvers.h"
 #include "impact/vertex_paths.h"
+#include "numbers/march.h"
 
 namespace tricover::detail {
 namespace {
@@ -185,33 +187,29 @@ double firstLength(const MovingPair& pair, double size) {
   return bend > 0 ? std::min(1.0, 0.5 * std::sqrt(size / bend)) : 1;
 }
 
-/// From interval to interval: each begins where the one before shows that nothing meets until then. While nothing may
-/// meet at all they grow; where something may, the next one lies within, and as long as that should take.
+/// Each interval begins where the one before shows that nothing meets until then. While nothing may meet at all they
+/// grow; where something may, the next one lies within, and as long as that should take.
 template <class Follower>
 FirstContact follow(Follower paths, const MovingPair& pair, double begin, double time_error) {
-  double time = begin, length = firstLength(pair, paths.size()), last = begin;
-  for (int i = 0; i < kMostIntervals; ++i) {
+  double length = firstLength(pair, paths.size()), last = begin;
+  return march(FirstContact::unknown(begin), kMostIntervals, [&](double time) -> std::optional<FirstContact> {
     const bool is_within = time < last;
-    const double end = std::min(time + length, is_within ? last : 1.0);
-    last = end;
-    const TimeInterval interval(pair, time, end);
+    last = std::min(time + length, is_within ? last : 1.0);
+    const TimeInterval interval(pair, time, last);
     const Approach best = paths.soonest(interval, is_within);
     if (!(best.share <= 1)) {
-      if (end == 1) return FirstContact::never();
-      time = end;
       length *= 2;
-      continue;
+      return last == 1 ? FirstContact::never() : FirstContact::unknown(last);
     }
     if (best.touches) return paths.touch(time, best);
-    const double lower = std::min(time + best.share * interval.length, end);
-    if (best.is_exact || (end - lower <= time_error && paths.touchByEnd(interval, best)))
+    const double lower = std::min(time + best.share * interval.length, last);
+    if (best.is_exact || (last - lower <= time_error && paths.touchByEnd(interval, best)))
       return paths.touch(lower, best);
-    if (!(lower > time)) break;
-    time = lower;
+    if (!(lower > time)) return std::nullopt;
     const double ahead = best.aim - best.share;
     length = (ahead > 0 && ahead < 0.25 ? 2 * ahead : 0.5) * interval.length + 0.5 * time_error;
-  }
-  return FirstContact::unknown(time);
+    return FirstContact::unknown(lower);
+  });
 }
 
 }  // namespace

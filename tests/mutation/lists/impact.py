@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/impact/convex_impact.cpp", "time_ > before && end - time_ <= time_error_ &&", "time_ > before &&", "convex impact: as early as the interval is long"),
+    ("src/impact/convex_impact.cpp", "!apart && end - time_ <= time_error_ &&", "!apart &&", "convex impact: as early as the interval is long"),
     ("src/impact/convex_impact.cpp", "touch_distance_(pair.margin + 4 * pair.error)", "touch_distance_(4 * pair.error)", "convex impact: touches without the margin"),
     ("src/numbers/sine.h", "h * z + kTerms[k]", "h * z + kTerms[k] + 0x1p-40", "impact: sines to fewer digits"),
     ("src/impact/convex_impact.cpp", "interval.fixedChordError(a_.lever, b_.lever) -", "interval.fixedChordError(a_.lever, 0) -", "convex impact: a turn's chord_error without its lever"),
