@@ -34,11 +34,7 @@ class ComponentExits {
       : pair_(pair), frame_(frame), crossings_(crossings), towards_b_(-frame.originOfA()) {}
 
   /// Until the next call.
-  const Hull& hullOf(const OverlapComponent& component) {
-    // The second time, other points are beside those that are left.
-    const double same_area = 2 * frame_.error() * frame_.size();
-    return hull_ = detail::hullOf(likelyCorners(likelyCorners(component.points, same_area), same_area));
-  }
+  const Hull& hullOf(const OverlapComponent& component) { return hull_ = detail::hullOf(component.points); }
   /// Of the component whose hull was asked for last.
   Exit exitOf(const OverlapComponent& component);
   /// The only component of two convex regions: the least depth of their separating axes, which no translation that

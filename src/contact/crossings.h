@@ -51,8 +51,8 @@ class InnerCrossings {
 
   /// Whether it is at this crossing.
   bool has(const EdgeCrossing& c) {
-    return crossAlone(pair_, c.edge[0], c.edge[1]) || sides_.of(EdgeSides::A, c.edge[0]).bordersBothAt(c.edge[1]) ||
-           sides_.of(EdgeSides::B, c.edge[1]).bordersBothAt(c.edge[0]);
+    return sides_.of(EdgeSides::A, c.edge[0]).hasAnyAt(&EdgeSides::Piece::bordersBoth, c.edge[1]) ||
+           sides_.of(EdgeSides::B, c.edge[1]).hasAnyAt(&EdgeSides::Piece::bordersBoth, c.edge[0]);
   }
   /// Whether it is, or a point of either region in the interior of the other one.
   bool meetAt(const EdgeCrossing& c) {
@@ -68,14 +68,15 @@ class InnerCrossings {
  private:
   bool isInOtherAt(EdgeSides::Operand operand, std::size_t edge, std::size_t at) {
     if (const auto point = pointInOther(operand, edge)) return *point;
-    return sides_.of(operand, edge).isInOtherAt(at);
+    return sides_.of(operand, edge).hasAnyAt(&EdgeSides::Piece::isInOther, at);
   }
   bool meetBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
     const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
     if (const auto point = pointInOther(operand, edge)) return *point;
     const auto isAlong = [&](std::size_t e, int side) {
       const EdgeSides& sides = sides_.of(operand, e);
-      return sides.bordersBothUntil(met_[operand][e], side) || sides.isInOtherUntil(met_[operand][e], side);
+      return sides.hasAnyUntil(&EdgeSides::Piece::bordersBoth, met_[operand][e], side) ||
+             sides.hasAnyUntil(&EdgeSides::Piece::isInOther, met_[operand][e], side);
     };
     return isAlong(edge, 1) || isAlong(last, -1);
   }

@@ -26,7 +26,7 @@ std::vector<PosedPair> pairsOf(const Polygon& part, const Pose& pose, const std:
 /// Segments seen from `from`, rounded: the boundary of the union.
 std::vector<Ring> wallsAround(const Polygon& part, const Pose& pose, const std::vector<StillArea>& areas,
                               const Vec2& from) {
-  KnownSides sides(PosedRegions(pairsOf(part, pose, areas), PosedRegions::Outside));
+  KnownSides sides(PosedRegions(pairsOf(part, pose, areas)));
   std::vector<Ring> walls;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const auto at = [&](std::size_t position) {
@@ -35,7 +35,7 @@ std::vector<Ring> wallsAround(const Polygon& part, const Pose& pose, const std::
     forEachEdge(areas[i].polygon, [&](std::size_t edge) {
       const Vec2 v = at(edge), w = at(edge + 1);
       for (const EdgeSides::Piece& piece : sides.of(i + 1, edge).pieces())
-        if (piece.is_boundary) {
+        if (piece.isBoundary()) {
           const Vec2 begin = (1 - piece.from) * v + piece.from * w, end = (1 - piece.to) * v + piece.to * w;
           walls.push_back({begin, end, end});
         }

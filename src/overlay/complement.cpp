@@ -79,16 +79,16 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
   const double scale = rounded && !is_in_range ? given.inverse_unit : 1;
   for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
-  const Pose still = Pose::Identity();
-  KnownSides sides(PosedRegions({PosedPair(cut.data(), still, cut.data(), still)}));
+  KnownSides sides{PosedRegions(cut.data())};
   std::vector<Piece> all;
   std::vector<bool> borders;
   for (const Piece& piece : pieces) {
     const EdgeSides& beside =
         sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
-    if (!beside.isBorder() || !beside.isSeam()) {
+    const bool is_border = beside.hasAny(&EdgeSides::Piece::isBorder);
+    if (!is_border || !beside.hasAny(&EdgeSides::Piece::isNoBorder)) {
       all.push_back(piece);
-      borders.push_back(beside.isBorder());
+      borders.push_back(is_border);
       continue;
     }
     const std::size_t ring = given.ringOf(piece.edge);
@@ -102,7 +102,7 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
     for (const EdgeSides::Piece& part : beside.pieces()) {
       const OrderedPoint to = part.to < 1 ? ordered((1 - part.to) * v + part.to * w) : piece.w;
       all.push_back({from, to, piece.edge});
-      borders.push_back(part.is_border);
+      borders.push_back(part.isBorder());
       from = to;
     }
   }

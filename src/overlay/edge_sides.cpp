@@ -14,29 +14,6 @@ namespace tricover::detail {
 
 namespace {
 
-bool areOne(const PosedPoint& p, const PosedPoint& q) { return p.pose == q.pose && p.local == q.local; }
-
-/// The sign of the signed area |p q r|. Exact.
-int sign(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
-  const int sign = orientFilter(p.approx, q.approx, r.approx);
-  if (sign != kUncertain) return sign;
-  const PosedPoint &x = p.exact, &y = q.exact, &z = r.exact;
-  return areOne(x, y) || areOne(y, z) || areOne(x, z) ? 0 : orientExact(x, y, z);
-}
-
-/// Whether p, on the line of q and r, is between them or one of them. Exact.
-bool isBetween(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
-  const ApproxPoint &x = p.approx, &y = q.approx, &z = r.approx;
-  const double error = 2 * (x.error + std::max(y.error, z.error));
-  const auto tell = [&](double to_q, double to_r) {
-    if (std::max(to_q, to_r) < -error || std::min(to_q, to_r) > error) return -1;
-    return std::min(to_q, to_r) < -error && std::max(to_q, to_r) > error ? 1 : 0;
-  };
-  const int in_x = tell(y.x - x.x, z.x - x.x), in_y = tell(y.y - x.y, z.y - x.y);
-  if (in_x != 0 || in_y != 0) return in_x >= 0 && in_y >= 0;
-  return areOne(p.exact, q.exact) || areOne(p.exact, r.exact) || betweenExact(p.exact, q.exact, r.exact);
-}
-
 /// x / (x + y) of areas on both sides of a line: with x and y wrong by their bounds it errs by at most the sum of both
 /// divided by x + y, but for the latter's error: twice. Anything from 0 to 1 where that says nothing.
 struct Share {
@@ -46,6 +23,12 @@ Share shareOf(const ApproxArea& x, const ApproxArea& y) {
   const double whole = std::abs(x.area - y.area), bound = x.bound + y.bound;
   if (!(whole > 4 * bound && whole < 0x1p1000)) return {0.5, 0.5};
   return {std::abs(x.area) / whole, 2 * bound / whole + 4 * kUnitRoundoff};
+}
+
+/// Whether a polygon may wind around a point, in its units. Nothing winds around a point of a degenerate polygon.
+bool mayWindAround(const PolygonData& polygon, const Vec2& at, double error) {
+  if (polygon.isDegenerate()) return false;
+  return !(polygon.fitsUnit() && distanceFromRoot(topOf(polygon).root, {at.x(), at.y(), error}) > 0);
 }
 
 /// A point, in units, outside of the box around everything: from `at` towards the nearest side, askew, so that the way
@@ -63,6 +46,11 @@ Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
 }
 
 }  // namespace
+
+PosedRegions::PosedRegions(const PolygonData& polygon) : size_(1), finds_along_(false) {
+  static const Pose kHere = Pose::Identity();
+  pairs_.emplace_back(polygon, kHere, polygon, kHere);
+}
 
 bool PosedRegions::isNear(std::size_t i, const ApproxPoint& v, const ApproxPoint& w) const {
   const PolygonData& region = polygon(i);
@@ -86,147 +74,117 @@ ApproxPoint PosedRegions::inFrame(std::size_t i, std::size_t of, std::size_t pos
 }
 
 EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before)
-    : regions_(regions), operand_(operand), edge_(edge) {
+    : regions_(regions),
+      operand_(operand),
+      edge_(edge),
+      line_(regions.edge(operand, edge), regions.at(operand, edge).approx, regions.at(operand, edge + 1).approx) {
   const Path& path = regions.polygon(operand).path;
   if (path[edge] == path[edge + 1]) return;
-  v_ = regions.at(operand, edge);
-  w_ = regions.at(operand, edge + 1);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  addPoint(operand, v_.exact, 0, -kInfinity, -kInfinity);
+  events_.push_back(LineSweep::pointEvent(operand, edge, line_.v.exact, 0));
+  events_[0].place = -kInfinity;
   for (std::size_t i = 0; i < regions.size(); ++i)
-    if (i == operand || regions.isNear(i, v_.approx, w_.approx)) findCuts(i, before);
-  std::sort(cuts_.begin() + 1, cuts_.end(), [&](const Cut& p, const Cut& q) { return isBefore(p, q); });
-  addPoint(operand, w_.exact, 0, kInfinity, kInfinity);
-  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
-    windings_.at(cuts_[i].operand).add(cuts_[i]);
-    // Between cuts at one place there is nothing.
-    if (isBefore(cuts_[i], cuts_[i + 1])) look(i);
+    if (i == operand || regions.isNear(i, line_.v.approx, line_.w.approx)) findEvents(i, before);
+  std::sort(events_.begin() + 1, events_.end(),
+            [&](const SweepEvent& p, const SweepEvent& q) { return line_.compare(p, q) < 0; });
+  events_.push_back(LineSweep::pointEvent(operand, edge, line_.w.exact, 0));
+  events_.back().place = kInfinity;
+  for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
+    windings_.at(events_[i].polygon).add(events_[i]);
+    // Between events at one place there is nothing.
+    if (line_.compare(events_[i], events_[i + 1]) < 0) addPiece(i);
   }
 }
 
-/// Finds those of one polygon.
-void EdgeSides::findCuts(std::size_t operand, const EdgeSides* before) {
+/// Finds the winding numbers of one polygon at v, and its events from there on.
+void EdgeSides::findEvents(std::size_t operand, const EdgeSides* before) {
   const PolygonData& polygon = regions_.polygon(operand);
   const ApproxPoint v = regions_.inFrame(operand, operand_, edge_), w = regions_.inFrame(operand, operand_, edge_ + 1);
   const Vec2 at_v = polygon.inUnits({v.x, v.y}), at_w = polygon.inUnits({w.x, w.y});
-  Way way;
+  Approach approach;
+  approach.u = before != nullptr ? before->line_.v : line_.w;
   if (before != nullptr) {
-    way.from = before->v_;
     const auto known = before->windings_.find(operand);
-    if (known != before->windings_.end()) way.winding = known->second.right;
-  } else {
-    leadFromOutside(way, operand, at_v, 1.5 * v.error * polygon.inverse_unit);
+    if (known != before->windings_.end()) approach.windings = {known->second.left, known->second.right, 0};
+  } else if (const double error = 1.5 * v.error * polygon.inverse_unit; mayWindAround(polygon, at_v, error)) {
+    comeFromOutside(approach, operand, at_v, error);
   }
-  windings_[operand] = {way.winding, way.winding};
+  approach.bend = orientation(approach.u, line_.v, line_.w);
+  approach.leads_back = approach.bend == 0 && !isBetween(line_.v, approach.u, line_.w);
+  windings_[operand] = approach.windings;
+  if (approach.leads_back) std::swap(windings_[operand].left, windings_[operand].right);
   forEachEdgeNear(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit, [&](std::size_t edge) {
-    add(operand, edge, way);
+    const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
+    const LineMeeting meeting = meetLine(line_.v, line_.w, operand, edge, q, r);
+    if (meeting.kind == LineMeeting::Along && operand != operand_ && operand_ == A && regions_.findsAlong())
+      addAlong(operand, edge, q, r);
+    if (meeting.kind == LineMeeting::Point) addEvent(meeting, q, r);
+    const bool is_at_v = meeting.kind == LineMeeting::Point
+                             ? meeting.at_v == 0
+                             : meeting.kind == LineMeeting::Along && isBetween(line_.v, q, r);
+    if (is_at_v) goAround(approach, meeting, q, r);
     return true;
   });
 }
 
-/// v is `at`, in units of the polygon, but for an error in any direction. The way begins at a point of its frame: an
-/// eighth of it doesn't overflow.
-void EdgeSides::leadFromOutside(Way& way, std::size_t operand, const Vec2& at, double error) const {
+/// v is `at`, in units of the polygon, but for an error in any direction. The segment begins at a point of the
+/// polygon's frame: an eighth of it doesn't overflow.
+void EdgeSides::comeFromOutside(Approach& approach, std::size_t operand, const Vec2& at, double error) const {
   const PolygonData& polygon = regions_.polygon(operand);
-  way.from = w_;
-  if (polygon.isDegenerate()) return;  // nothing winds around a point
-  if (polygon.fitsUnit() && distanceFromRoot(topOf(polygon).root, {at.x(), at.y(), error}) > 0) return;
   const Vec2 begin = outsideBeside(polygon, at);
   const Vec2 eighth = 0.125 * polygon.origin + 0.125 * polygon.unit * begin;
-  way.pose = regions_.pose(operand);
-  way.pose.matrix().topLeftCorner<2, 2>() *= 8;
-  way.from = {regions_.approx(operand, 8 * eighth), {&way.pose, eighth}};
+  approach.pose = regions_.pose(operand);
+  approach.pose.matrix().topLeftCorner<2, 2>() *= 8;
+  approach.u = {regions_.approx(operand, 8 * eighth), {&approach.pose, eighth}};
   const double room = error + 0x1p-48 * polygon.extent * polygon.inverse_unit;
   forEachEdgeNear(polygon, begin, at, room, [&](std::size_t edge) {
-    const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
-    const int of_q = sign(way.from, v_, q), of_r = sign(way.from, v_, r);
-    const int slant = of_q < 0 ? 1 : -1;
-    if ((of_q < 0) != (of_r < 0) && sign(q, r, v_) * slant < 0 && sign(q, r, way.from) * slant > 0)
-      way.winding -= slant;
+    const LineMeeting meeting =
+        meetLine(approach.u, line_.v, operand, edge, regions_.at(operand, edge), regions_.at(operand, edge + 1));
+    if (meeting.kind == LineMeeting::Point && meeting.at_v > 0 && meeting.at_w < 0)
+      approach.windings.add(meeting.event);
     return true;
   });
 }
 
-/// With u from v to w, d along the other edge from q to r, and D = |u d|, that edge's line meets this one's at
-///   s     = |q r v| / D,
-///   s - 1 = |q r w| / D,
-/// and D has the sign of what r is to the left of q by. The way goes from the left of d to its right where D > 0.
-void EdgeSides::add(std::size_t operand, std::size_t edge, Way& way) {
-  const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
-  const int of_q = sign(v_, w_, q), of_r = sign(v_, w_, r);
-  if (of_q * of_r > 0) return;
-  if (of_q == 0 && of_r == 0) {
-    if (operand != operand_ && operand_ == A && regions_.sought() == PosedRegions::Outside) addAlong(operand, q, r);
-    if (!isBetween(v_, q, r)) return;
-    if (!isBetween(v_, q, q)) pass(way, q, 0, -1);
-    if (!isBetween(v_, r, r)) pass(way, r, 0, 1);
-    return;
-  }
-  const int slant = of_r > of_q ? 1 : -1, at_v = sign(q, r, v_) * slant;
-  if (at_v < 0) return;
-  if (at_v == 0) {
-    if (of_q != 0) pass(way, q, of_q, -1);
-    if (of_r != 0) pass(way, r, of_r, 1);
-    return;
-  }
-  if (sign(q, r, w_) * slant >= 0) return;
-  const Share place = shareOf(approxArea(q.approx, r.approx, v_.approx), approxArea(q.approx, r.approx, w_.approx));
-  cuts_.push_back({q.exact.pose,
-                   {q.exact.local, r.exact.local},
-                   operand,
-                   static_cast<std::int8_t>(-slant),
-                   of_q > 0 || of_r > 0,
-                   of_q < 0 || of_r < 0,
-                   0,
-                   place.middle - place.error,
-                   place.middle + place.error});
+/// An edge that meets this one between its ends.
+void EdgeSides::addEvent(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r) {
+  if (meeting.at_v <= 0 || meeting.at_w >= 0) return;
+  const ApproxPoint &v = line_.v.approx, &w = line_.w.approx;
+  const Share share = shareOf(approxArea(q.approx, r.approx, v), approxArea(q.approx, r.approx, w));
+  events_.push_back(meeting.event);
+  events_.back().place = share.middle;
+  events_.back().error = share.error;
 }
 
-/// An edge along the line, or a point on it: from its first end on there is one more, from its last end on one less.
-void EdgeSides::addAlong(std::size_t operand, const SeenPoint& q, const SeenPoint& r) {
-  const int direction = compareAlong(q, r);
+/// From an edge's first end on the line on there is one more along it, from its last end on one less.
+void EdgeSides::addAlong(std::size_t operand, std::size_t edge, const SeenPoint& q, const SeenPoint& r) {
+  const int direction = -line_.compare(q.exact, r.exact);
   for (const auto& [end, along] : {std::pair(&q, direction), std::pair(&r, -direction)}) {
-    if (compareAlong(*end, v_) >= 0)
-      windings_.at(operand).along += along;
-    else if (compareAlong(*end, w_) > 0)
-      addPoint(operand, end->exact, static_cast<std::int8_t>(along), 0, 1);
+    SweepEvent event = LineSweep::pointEvent(operand, edge, end->exact, along);
+    event.place = event.error = 0.5;
+    if (line_.compare(end->exact, line_.v.exact) <= 0)
+      windings_.at(operand).add(event);
+    else if (line_.compare(end->exact, line_.w.exact) < 0)
+      events_.push_back(event);
   }
 }
 
-void EdgeSides::addPoint(std::size_t operand, const PosedPoint& point, std::int8_t along, double low, double high) {
-  cuts_.push_back({point.pose, {point.local, point.local}, operand, 0, true, false, along, low, high});
-}
-
-/// The order of two points on the line: 1 if the way comes to p before q, -1 after it.
-int EdgeSides::compareAlong(const SeenPoint& p, const SeenPoint& q) const {
-  for (const int axis : {0, 1})
-    if (const int sign = compareExact(w_.exact, v_.exact, axis)) return compareExact(q.exact, p.exact, axis) * sign;
-  return 0;
-}
-
-/// An edge leaves v for `end` (turn 1), or comes from there (-1), which is on that side of v w: counter-clockwise
-/// around v it may be passed before v w, or be along that.
-void EdgeSides::pass(Way& way, const SeenPoint& end, int side, int turn) {
-  Windings& beside = windings_.rbegin()->second;  // its polygon's
-  if (way.course == kUncertain) {
-    way.course = sign(v_, way.from, w_);
-    way.leads_back = way.course == 0 && !isBetween(v_, way.from, w_);
-  }
-  const int of_way = sign(v_, way.from, end);
-  const bool is_along = side == 0 && !isBetween(v_, end, w_);
-  const bool is_passed = way.course > 0 ? of_way > 0 && side < 0 : of_way > 0 || side < 0;
-  if (way.leads_back) {  // v w is the last one around v, and the first
-    if (!is_along) beside.right += turn;
-    return;
-  }
-  if (is_passed) beside.right += turn;
-  if (is_passed || is_along) beside.left += turn;
-}
-
-bool EdgeSides::isBefore(const Cut& p, const Cut& q) const {
-  if (p.high < q.low) return true;
-  if (q.high < p.low) return false;
-  return compareFractionsExact(edgeOf(operand_, edge_), p.edge(), q.edge()) < 0;
+/// The left of the sweep stays on the left of the path u v w, its right on the right. An edge that v is on leads from v
+/// to its end r, and to v from its end q. If v sees such an end on the left of the path, the left is led past it,
+/// clockwise; on the right the right is led past it, counter-clockwise. A path that leads straight back exchanges both
+/// sides, and goes past nothing.
+void EdgeSides::goAround(const Approach& approach, const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r) {
+  if (approach.leads_back) return;
+  Windings& beside = windings_.at(meeting.event.polygon);
+  const auto pass = [&](const SeenPoint& end, int of_end, int direction) {
+    if (of_end == 0 && (meeting.kind == LineMeeting::Point || isBetween(line_.v, end, end))) return;  // it is v
+    const int of_approach = orientation(approach.u, line_.v, end);
+    const int side = approach.bend >= 0 ? std::min(of_approach, of_end) : std::max(of_approach, of_end);
+    if (side > 0) beside.left -= direction;
+    if (side < 0) beside.right += direction;
+  };
+  pass(q, meeting.of_q, -1);
+  pass(r, meeting.of_r, 1);
 }
 
 EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
@@ -236,48 +194,27 @@ EdgeSides::Sides EdgeSides::insides(std::size_t operand) const {
   return {isInside(fill, windings.left), isInside(fill, windings.right)};
 }
 
-/// At a piece, whose windings are known.
-void EdgeSides::look(std::size_t piece) {
-  const Sides first = insides(A), own = insides(operand_);
-  Sides others{false, false};
-  bool has_along = false;
+/// After an event, with the windings there.
+void EdgeSides::addPiece(std::size_t event) {
+  const SweepEvent& end = events_[event + 1];
+  const double from = pieces_.empty() ? 0 : pieces_.back().to;
+  const double to = event + 2 < events_.size()
+                        ? 0.5 * std::max(end.place - end.error, 0.0) + 0.5 * std::min(end.place + end.error, 1.0)
+                        : 1;
+  Piece piece{from, to, event, operand_ == A, insides(operand_), insides(A), {false, false}, false};
   for (const auto& [operand, windings] : windings_) {
     if (operand == A) continue;
     const Sides other = insides(operand);
-    others.left |= other.left;
-    others.right |= other.right;
-    has_along |= windings.along > 0;
+    piece.others.left |= other.left;
+    piece.others.right |= other.right;
+    piece.has_along |= windings.along > 0;
   }
-  const bool is_bare = !own.left && !own.right, inside = regions_.sought() == PosedRegions::Inside;
-  const bool is_off = !inside && operand_ == A && is_bare && !others.left && !others.right && !has_along;
-  if ((first.left && others.left == inside) || (first.right && others.right == inside) || is_off)
-    sought_.push_back(piece);
-  if (inside && (operand_ == A ? others.left && others.right : first.left && first.right)) in_other_.push_back(piece);
-  if (!inside && operand_ != A && !(others.left && others.right)) boundary_.push_back(piece);
-  if (is_bare) bare_.push_back(piece);
-  if (own.left != own.right)
-    borders_.push_back(piece);
-  else
-    is_seam_ = true;
-}
-
-std::vector<EdgeSides::Piece> EdgeSides::pieces() const {
-  std::vector<Piece> all;
-  const auto has = [](const std::vector<std::size_t>& some, std::size_t piece) {
-    return std::binary_search(some.begin(), some.end(), piece);
-  };
-  for (std::size_t i = 0; i + 1 < cuts_.size(); ++i) {
-    if (!isBefore(cuts_[i], cuts_[i + 1])) continue;
-    const Cut& end = cuts_[i + 1];
-    const double to = i + 2 < cuts_.size() ? 0.5 * std::max(end.low, 0.0) + 0.5 * std::min(end.high, 1.0) : 1;
-    all.push_back({all.empty() ? 0 : all.back().to, to, has(borders_, i), has(boundary_, i)});
-  }
-  return all;
+  pieces_.push_back(piece);
 }
 
 bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
-  return std::any_of(boundary_.begin(), boundary_.end(),
-                     [&](std::size_t piece) { return isWithin(piece, edge, margin); });
+  return std::any_of(pieces_.begin(), pieces_.end(),
+                     [&](const Piece& piece) { return piece.isBoundary() && isWithin(piece, edge, margin); });
 }
 
 /// The edge as a whole is nearer. Points err by 5U of the pair's size, with which they are mapped; places between them,
@@ -285,21 +222,23 @@ bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
 ///
 /// Where that hides whether the distance is less than the margin, exact numbers tell: of the ends of the edge whose
 /// feet are on the piece, and of the piece's ends.
-bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) const {
-  if (cuts_.size() == 2) return true;
-  const Cut &begin = cuts_[piece], &end = cuts_[piece + 1];
+bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) const {
+  if (events_.size() == 2) return true;
+  const SweepEvent &begin = events_[piece.event], &end = events_[piece.event + 1];
+  const ApproxPoint &from = line_.v.approx, &to = line_.w.approx;
   const SeenPoint p = regions_.at(A, edge), q = regions_.at(A, edge + 1);
-  const Vec2 v(v_.approx.x, v_.approx.y), along(w_.approx.x - v.x(), w_.approx.y - v.y());
-  const auto distanceOf = [&](double from, double to) {
+  const Vec2 v(from.x, from.y), along(to.x - v.x(), to.y - v.y());
+  const auto distanceOf = [&](double low, double high) {
     const Ends other{{p.approx.x, p.approx.y}, {q.approx.x, q.approx.y}};
-    return nearestPlaces(other, {v + std::max(from, 0.0) * along, v + std::min(to, 1.0) * along}).way().norm();
+    return nearestPlaces(other, {v + std::max(low, 0.0) * along, v + std::min(high, 1.0) * along}).way().norm();
   };
-  const double size = (p.approx.error + v_.approx.error) / kUnitRoundoff, error = 0x1p-46 * size;
+  const double size = (p.approx.error + from.error) / kUnitRoundoff, error = 0x1p-46 * size;
   if (size > 0x1p-400 && size < 0x1p400) {  // squares don't leave the range of doubles
-    if (begin.high <= end.low && distanceOf(begin.high, end.low) + error < margin) return true;
-    if (distanceOf(begin.low, end.high) - error > margin) return false;
+    const double inner = begin.place + begin.error, inner_end = end.place - end.error;
+    if (inner <= inner_end && distanceOf(inner, inner_end) + error < margin) return true;
+    if (distanceOf(begin.place - begin.error, end.place + end.error) - error > margin) return false;
   }
-  const PosedSegment own = edgeOf(operand_, edge_), other = edgeOf(A, edge);
+  const PosedSegment own = regions_.edge(operand_, edge_), other = regions_.edge(A, edge);
   const auto isNear = [&](const PosedPoint& end_of_other) {
     return compareFootExact(end_of_other, own, begin.edge()) >= 0 &&
            compareFootExact(end_of_other, own, end.edge()) <= 0 &&
@@ -309,28 +248,35 @@ bool EdgeSides::isWithin(std::size_t piece, std::size_t edge, double margin) con
          meetingWithinExact(own, end.edge(), other, margin);
 }
 
-/// Whether what the other edge has in common with this one is, as a whole, on one side of a cut: 1 after it, -1 before.
-bool EdgeSides::isBeyond(std::size_t edge, const Cut& cut, int side) const {
+/// Whether what the other edge has in common with this one is, as a whole, on one side of an event: 1 after it, -1
+/// before.
+bool EdgeSides::isBeyond(std::size_t edge, const SweepEvent& event, int side) const {
   const std::size_t operand = operand_ == A ? B : A;
   const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
   const auto isThere = [&](const SeenPoint& from, const SeenPoint& to) {
-    const Cut at{from.exact.pose, {from.exact.local, to.exact.local}, operand, 0, false, false, 0, 0, 1};
-    return side > 0 ? isBefore(cut, at) : isBefore(at, cut);
+    const SweepEvent at{from.exact.pose, {from.exact.local, to.exact.local}, operand, edge, 0, 0, 0, 0.5, 0.5};
+    return line_.compare(event, at) * side < 0;
   };
-  return sign(v_, w_, q) != 0 || sign(v_, w_, r) != 0 ? isThere(q, r) : isThere(q, q) && isThere(r, r);
+  return orientation(line_.v, line_.w, q) != 0 || orientation(line_.v, line_.w, r) != 0
+             ? isThere(q, r)
+             : isThere(q, q) && isThere(r, r);
 }
 
-bool EdgeSides::isAnyUntil(const std::vector<std::size_t>& pieces, const std::vector<std::size_t>& edges,
-                           int side) const {
-  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
-    const Cut& cut = cuts_[side > 0 ? piece : piece + 1];
-    return std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, cut, -side); });
+bool EdgeSides::hasAny(Is is) const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) { return (piece.*is)(); });
+}
+
+bool EdgeSides::hasAnyUntil(Is is, const std::vector<std::size_t>& edges, int side) const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    const SweepEvent& event = events_[side > 0 ? piece.event : piece.event + 1];
+    return (piece.*is)() &&
+           std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, event, -side); });
   });
 }
 
-bool EdgeSides::isAnyAt(const std::vector<std::size_t>& pieces, std::size_t edge) const {
-  return std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
-    return !isBeyond(edge, cuts_[piece], -1) && !isBeyond(edge, cuts_[piece + 1], 1);
+bool EdgeSides::hasAnyAt(Is is, std::size_t edge) const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return (piece.*is)() && !isBeyond(edge, events_[piece.event], -1) && !isBeyond(edge, events_[piece.event + 1], 1);
   });
 }
 
@@ -338,25 +284,6 @@ const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
   if (const EdgeSides* known = ifKnown(operand, edge)) return *known;
   const EdgeSides* before = ifKnown(operand, edgesAt(regions_.polygon(operand), edge).before);
   return known_.try_emplace({operand, edge}, regions_, operand, edge, before).first->second;
-}
-
-bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
-  if (crossingDirection(pair, i, j) == 0) return false;
-  const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
-  const ApproxPoint q = pair.fromB(pair.b.path[j]), r = pair.fromB(pair.b.path[j + 1]);
-  // The path of units errs by few U.
-  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, const Share& place) {
-    if (!polygon.fitsUnit()) return false;
-    const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
-    const Vec2 at = begin + place.middle * way;
-    bool is_alone = true;
-    forEachEdgeNear(polygon, at, at, place.error * way.lpNorm<1>(), [&](std::size_t found) {
-      return is_alone = found == edge || polygon.path[found] == polygon.path[found + 1];
-    });
-    return is_alone;
-  };
-  return isAlone(pair.a, i, shareOf(approxArea(q, r, v), approxArea(q, r, w))) &&
-         isAlone(pair.b, j, shareOf(approxArea(v, w, q), approxArea(v, w, r)));
 }
 
 }  // namespace tricover::detail

@@ -40,8 +40,7 @@ class InteriorSearch {
 
  private:
   bool meetBeside(std::size_t i, std::size_t j) {
-    return edgesMeet(pair_, i, j) &&
-           (crossAlone(pair_, i, j) || meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
+    return edgesMeet(pair_, i, j) && (meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
   }
 
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
@@ -49,8 +48,8 @@ class InteriorSearch {
     if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))
       return isInInterior(pair_, operand, edge, sides_);
     const EdgeSides& sides = sides_.of(operand, edge);
-    has_bare_[operand] |= sides.isBare();
-    return sides.hasSought() || sides.isInOther();
+    has_bare_[operand] |= sides.hasAny(&EdgeSides::Piece::isBare);
+    return sides.hasAny(&EdgeSides::Piece::bordersBoth) || sides.hasAny(&EdgeSides::Piece::isInOther);
   }
 
   /// `start` is the position of the first edge of a ring that starts inside of the other region, or -1.
@@ -84,7 +83,7 @@ bool isInInterior(const PosedPair& given, EdgeSides::Operand operand, std::size_
     if (pair.a.path[e] == pair.a.path[e + 1]) return true;  // it may be that point
     if (edgesMeet(pair, e, edge)) {
       is_on_edge = true;
-      is_inner = sides.of(other, e).isSeamAt(edge);
+      is_inner = !sides.of(other, e).hasAnyAt(&EdgeSides::Piece::isNoSeam, edge);
     } else {
       around.add(e);
     }

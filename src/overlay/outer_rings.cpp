@@ -215,7 +215,7 @@ class RingCover {
       is_alone = begin >= std::min(std::max(v[axis], w[axis]), std::max(p[axis], q[axis]));
       return is_alone;
     });
-    return !is_alone && EdgeSides(itself_, EdgeSides::A, old).isBare();
+    return !is_alone && EdgeSides(itself_, EdgeSides::A, old).hasAny(&EdgeSides::Piece::isBare);
   }
 
   /// Whether the inside of a triangle shares no point with the region's interior, nor with edges: then it is on one
@@ -249,8 +249,7 @@ class RingCover {
   const PolygonData& polygon_;
   const double tolerance_;
   const Tolerance near_;
-  const Pose here_ = Pose::Identity();
-  const PosedRegions itself_{{PosedPair(polygon_, here_, polygon_, here_)}};
+  const PosedRegions itself_{polygon_};
   std::size_t begin_ = 0, count_ = 0, left_ = 0;  ///< of the ring: its first position, its vertices, corners
   std::vector<Corner> corners_;
   std::priority_queue<Proposal> proposals_;

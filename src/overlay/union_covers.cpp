@@ -21,10 +21,7 @@ namespace {
 class CoverSearch {
  public:
   CoverSearch(const std::vector<PosedPair>& part_and_areas, double margin)
-      : pairs_(part_and_areas),
-        part_(pairs_[0].a),
-        margin_(margin),
-        sides_(PosedRegions(pairs_, PosedRegions::Outside)) {}
+      : pairs_(part_and_areas), part_(pairs_[0].a), margin_(margin), sides_(PosedRegions(pairs_, true)) {}
 
   bool isCovered() {
     for (std::size_t ring = 0; ring < part_.ringCount(); ++ring) {
@@ -32,7 +29,7 @@ class CoverSearch {
       const auto holdsBegin = [&](const PosedPair& pair) { return holdsPoint(pair, part_.path[begin]); };
       if (beginsPoint(part_, begin) && std::none_of(pairs_.begin(), pairs_.end(), holdsBegin)) return false;
       for (std::size_t edge = begin; edge < part_.edgeEnd(ring); ++edge)
-        if (sides_.of(EdgeSides::A, edge).hasSought()) return false;
+        if (sides_.of(EdgeSides::A, edge).hasAny(&EdgeSides::Piece::isUncovered)) return false;
     }
     if (part_.isDegenerate()) return true;
     for (std::size_t area = 1; area <= pairs_.size(); ++area)
@@ -78,8 +75,9 @@ class CoverSearch {
     const Vec2 at = polygon.inUnits({center.x, center.y});
     const double reach = part_.reach * (1 + 4 * kLargestDefect) + 2 * center.error;
     bool has_gap = false;
-    forEachEdgeNear(polygon, at, at, reach * polygon.inverse_unit,
-                    [&](std::size_t edge) { return !(has_gap = sides_.of(area, edge).hasSought()); });
+    forEachEdgeNear(polygon, at, at, reach * polygon.inverse_unit, [&](std::size_t edge) {
+      return !(has_gap = sides_.of(area, edge).hasAny(&EdgeSides::Piece::isUncovered));
+    });
     return has_gap;
   }
 
