@@ -8,7 +8,6 @@ MUTATIONS = [
     ("src/impact/convex_slide.cpp", "if (margin > 0) beyond -= ", "if (margin < 0) beyond -= ", "slides: touches without the margin"),
     ("src/impact/convex_slide.cpp", "beside.to_lowest + time * beside.path", "beside.to_lowest + 0 * time * beside.path", "slides: what is beside the edge at the start"),
     ("src/impact/convex_slide.cpp", ".untilEnd() < time;", ".untilEnd() < 1;", "slides: passes by where another edge parts them at the end only"),
-    ("src/impact/convex_slide.cpp", "nearestOnSegment(-start, Vec2::Zero(), Vec2(path[0], path[1]))", "Vec2(0, 0)", "slides: discs at the start only"),
     ("src/impact/convex_slide.cpp", "part >= -slack && part <= square", "part >= -slack || part <= square", "slides: a touch beside the edge's ends"),
     ("src/impact/moving_pair.cpp", "nearestOnSegment(-b.base, Vec2::Zero(), chord)", "Vec2(0 * chord)", "impact: discs at the start only"),
     ("src/impact/moving_pair.cpp", "mover.arm.lpNorm<1>() + shrink * polygon.radius", "shrink * polygon.radius", "impact: reach without the arm"),

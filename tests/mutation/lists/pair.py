@@ -9,7 +9,6 @@ MUTATIONS = [
     ("src/overlay/edge_sides.cpp", "if (approach.leads_back) return;", "", "interiors: an edge that leads back"),
     ("src/overlay/edge_sides.cpp", "approach.bend >= 0 ? std::min(of_approach, of_end) :", "", "interiors: left and right turns around a vertex"),
     ("src/overlay/edge_sides.cpp", "meeting.at_v > 0 && meeting.at_w < 0", "meeting.at_v >= 0 && meeting.at_w < 0", "interiors: edges at the end of the way are passed twice"),
-    ("src/overlay/edge_sides.cpp", "return is_alone = found == edge ||", "return is_alone = true ||", "interiors: edges that cross aren't alone"),
     ("src/overlay/interiors.cpp", "has_bare_[operand] |= sides.hasAny(&EdgeSides::Piece::isBare);", "", "interiors: edges without area lead there"),
     ("src/overlay/interiors.cpp", "    if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))\n      return isInInterior(pair_, operand, edge, sides_);\n", "", "interiors: of points"),
     ("src/overlay/edge_sides.h", "!others.any() && !has_along;", "!others.any();", "covers: areas without an interior cover nothing"),
