@@ -51,7 +51,8 @@ class InnerCrossings {
 
   /// Whether it is at this crossing.
   bool has(const EdgeCrossing& c) {
-    return sides_.of(EdgeSides::A, c.edge[0]).hasAnyAt(&EdgeSides::Piece::bordersBoth, c.edge[1]) ||
+    return crossAlone(pair_, c.edge[0], c.edge[1]) ||
+           sides_.of(EdgeSides::A, c.edge[0]).hasAnyAt(&EdgeSides::Piece::bordersBoth, c.edge[1]) ||
            sides_.of(EdgeSides::B, c.edge[1]).hasAnyAt(&EdgeSides::Piece::bordersBoth, c.edge[0]);
   }
   /// Whether it is, or a point of either region in the interior of the other one.

@@ -286,4 +286,23 @@ const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
   return known_.try_emplace({operand, edge}, regions_, operand, edge, before).first->second;
 }
 
+bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
+  if (crossingDirection(pair, i, j) == 0) return false;
+  const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
+  const ApproxPoint q = pair.fromB(pair.b.path[j]), r = pair.fromB(pair.b.path[j + 1]);
+  // The path of units errs by few U.
+  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, const Share& place) {
+    if (!polygon.fitsUnit()) return false;
+    const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
+    const Vec2 at = begin + place.middle * way;
+    bool is_alone = true;
+    forEachEdgeNear(polygon, at, at, place.error * way.lpNorm<1>(), [&](std::size_t found) {
+      return is_alone = found == edge || polygon.path[found] == polygon.path[found + 1];
+    });
+    return is_alone;
+  };
+  return isAlone(pair.a, i, shareOf(approxArea(q, r, v), approxArea(q, r, w))) &&
+         isAlone(pair.b, j, shareOf(approxArea(v, w, q), approxArea(v, w, r)));
+}
+
 }  // namespace tricover::detail

@@ -148,4 +148,8 @@ class KnownSides {
   std::map<std::pair<std::size_t, std::size_t>, EdgeSides> known_;  ///< by operand and edge
 };
 
+/// Whether the filters prove that two edges of a pair cross, each with no other edge of its polygon there. Then both
+/// regions have their inside in one of the four quadrants: the windings beside each edge differ by 1.
+bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j);
+
 }  // namespace tricover::detail

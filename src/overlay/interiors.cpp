@@ -40,7 +40,8 @@ class InteriorSearch {
 
  private:
   bool meetBeside(std::size_t i, std::size_t j) {
-    return edgesMeet(pair_, i, j) && (meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
+    return edgesMeet(pair_, i, j) &&
+           (crossAlone(pair_, i, j) || meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
   }
 
   bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {

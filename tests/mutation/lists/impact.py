@@ -61,4 +61,5 @@ MUTATIONS = [
     ("src/depth/least_distance.cpp", " / kSamples : end_);", " / kSamples : begin_);", "least distance: not at the end"),
     ("src/depth/least_distance.cpp", "if (step == 0) least_.distance = 0;", "", "least distance: of bodies that meet, but for rounding"),
     ("src/depth/trajectory.cpp", "if (!body->absent_outside) continue;", "continue;", "trajectories: bodies that are absent stay"),
+    ("src/impact/convex_slide.cpp", "nearestOnSegment(-start, Vec2::Zero(), Vec2(path[0], path[1]))", "Vec2(0, 0)", "slides: discs at the start only"),
 ]

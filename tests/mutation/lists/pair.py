@@ -92,4 +92,5 @@ MUTATIONS = [
     ("src/pair/discs.h", "(pair.a.reach + pair.b.reach) * (1 + kLargestDefect)", "(pair.a.radius + pair.b.radius) * (1 + kLargestDefect)", "complement: far away is apart"),
     ("src/pair/containment.cpp", "(pair.b.reach * (1 + 2.1 * kLargestDefect) + 4", "(pair.b.radius * (1 + 2.1 * kLargestDefect) + 4", "complement: a ring far from the hole is outside"),
     ("src/polygon/covering.h", "return {polygon.fill.is_complement ? Location::Inside : Location::Outside, 0};", "return {Location::Outside, 0};", "complement: far away is outside"),
+    ("src/overlay/edge_sides.cpp", "return is_alone = found == edge ||", "return is_alone = true ||", "interiors: edges that cross aren't alone"),
 ]
