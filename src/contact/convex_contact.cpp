@@ -3,8 +3,8 @@
 // followed from the face down and from the vertex deepest behind it up, as far as it takes: level lines tell where the
 // overlap is deepest, and the upright line through there its middle.
 //
-// The edges of two convex regions that meet share a point unless one region lies within the other: each has to reach
-// beyond a face of the other for certain.
+// The edges of two convex regions that meet share a point unless one region lies within the other: each has to have a
+// corner that is certainly outside the other.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -48,6 +48,32 @@ class Walk {
   std::uint32_t corner_;
   bool is_forward_;
 };
+
+enum class Located { Inside, Outside, Unsure };
+
+/// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
+Located placeOf(Double2 p, const AxisSide& side, double doubtful) {
+  const ConvexRing& ring = side.ring.ring;
+  const Double2 way = p - ring.vertex(0);
+  bool is_unsure = false;
+  const auto isBeyond = [&](std::uint32_t edge) {
+    const double area = cross(ring.edge(edge), p - ring.vertex(edge));
+    is_unsure = is_unsure || !(area > doubtful);
+    return area < -doubtful;
+  };
+  // Between the ways from a corner to corners `low` and `high`.
+  std::uint32_t low = 1, high = ring.size() - 1;
+  if (isBeyond(0) || isBeyond(high)) return Located::Outside;
+  while (high - low > 1) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    const double turn = cross(ring.way(0, middle), way);
+    if (!(turn > doubtful || turn < -doubtful)) break;
+    (turn > 0 ? low : high) = middle;
+  }
+  for (std::uint32_t k = low; k < high; ++k)
+    if (isBeyond(k)) return Located::Outside;
+  return is_unsure ? Located::Unsure : Located::Inside;
+}
 
 /// The middle of two outlines' overlap along the normal of a face of `own`, behind which `other` is deepest with its
 /// corner `deepest`.
@@ -181,17 +207,25 @@ class ConvexPair {
         margin_(margin),
         face_(bestFace()),
         up_(axes_.side(face_.of_a).normalOf(face_.edge)),
-        incident_(incidentEdge()) {}
+        incident_(incidentEdge()) {
+    // In either coordinate a corner is at most r = kUnitRows size, and errs by at most e = error, which is at least
+    // 16U size; a difference d of two is at most 2 r, and errs by 2 e and its own U d. An area, the product of two:
+    //   the differences' roundings       two in each of two products     4U (2 r)^2
+    //   the products', their difference                                  4U (2 r)^2
+    //   what the corners are off by      two for each of four factors    8 e 2 r
+    // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them.
+    doubtful_ = 20 * axes_.error() * axes_.size();
+  }
 
   /// What is proven of a pair that meets.
   std::optional<Contact> contact() const {
     const PosedRing own = turned(face_.of_a), other = turned(!face_.of_a);
     OverlapMiddle middle(own, other, face_, axes_.error(), axes_.tie());
     if (!middle.find()) return {};
-    const Location own_place = middle.own_reaches_beyond ? Location::Outside : placeOfRegion(face_.of_a),
-                   other_place = middle.other_reaches_beyond ? Location::Outside : placeOfRegion(!face_.of_a);
-    if (own_place == Location::Boundary || other_place == Location::Boundary) return {};
-    const bool is_own_inside = own_place == Location::Inside, is_other_inside = other_place == Location::Inside;
+    const Located own_place = middle.own_reaches_beyond ? Located::Outside : placeOfRegion(face_.of_a),
+                  other_place = middle.other_reaches_beyond ? Located::Outside : placeOfRegion(!face_.of_a);
+    if (own_place == Located::Unsure || other_place == Located::Unsure) return {};
+    const bool is_own_inside = own_place == Located::Inside, is_other_inside = other_place == Located::Inside;
     Contact contact = contactOf(inWorld(middle.point), is_other_inside, is_own_inside);
     if (is_own_inside || is_other_inside) return contact;
     const auto slopeOf = [&](const PosedRing& outline, std::uint32_t k) {
@@ -229,19 +263,16 @@ class ConvexPair {
     return *best;
   }
 
-  /// Where one region is as seen from the other one: inside if it reaches beyond none of the other's faces; on the
-  /// boundary where doubles don't tell. A ring's support vertex is as good as the deepest corner of SeparatingAxes.
-  Location placeOfRegion(bool of_a) const {
-    const PosedRing &own = axes_.side(of_a).ring, &other = axes_.side(!of_a).ring;
-    Location place = Location::Inside;
-    for (std::uint32_t k = 0; k < other.ring.size(); ++k) {
-      const Double2 outwards = other.normal(k);
-      const double height = dot(outwards, own.corner(own.supportVertex(outwards)) - other.corner(k)),
-                   doubtful = axes_.depthError() * std::sqrt(dot(outwards, outwards));
-      if (height > doubtful) return Location::Outside;
-      if (!(height < -doubtful)) place = Location::Boundary;
+  /// Where one region is as seen from the other one: inside if all of it is.
+  Located placeOfRegion(bool of_a) const {
+    const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
+    bool is_unsure = false;
+    for (std::uint32_t k = 0; k < own.ring.ring.size(); ++k) {
+      const Located place = placeOf(other.inOwnFrame(own.ring.corner(k)), other, doubtful_);
+      if (place == Located::Outside) return place;
+      is_unsure = is_unsure || place == Located::Unsure;
     }
-    return place;
+    return is_unsure ? Located::Unsure : Located::Inside;
   }
 
   /// An edge at the corner that is deepest behind the face: the one that is more across its normal.
@@ -283,6 +314,7 @@ class ConvexPair {
   const FaceDepth face_;
   const Vec2 up_;  ///< outwards from the face
   const Incident incident_;
+  double doubtful_;  ///< areas of corners, up to this
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "convex/posed_ring.h"
+#include "convex/convex_ring.h"
 #include "impact/impact_solvers.h"
 #include "numbers/cubic.h"
 #include "numbers/rounding.h"
@@ -20,21 +20,30 @@ double lengthOne(Double2 v) {
   return lengths[0] + lengths[1];
 }
 
+/// The vertex that is least far along a direction.
+std::uint32_t lowestVertex(const ConvexRing& ring, Double2 along) {
+  std::uint32_t lowest = 0;
+  double least = dot(along, ring.vertex(0));
+  for (std::uint32_t k = 1; k < ring.size(); ++k) {
+    const double height = dot(along, ring.vertex(k));
+    lowest = height < least ? k : lowest;
+    least = std::min(height, least);
+  }
+  return lowest;
+}
+
 // Along a normal n as long as the edge's image u, the gap is that of the other polygon's lowest vertex, and linear in
 // time. With M the size, no less than any vertex' length, and S = |s|_1 of the path s of the other polygon, in units of
 // U |u|:
 //   the way to the lowest vertex   PosedPair::kWayError                               16 M
-//   u, and n turned back           difference 1, products sqrt2, sum 1; 2.42 more     3.42 M, 2 * 2.42 M
-//                                  at both vertices that may be the lowest
-//   which vertex is the lowest     difference, product, sum of a climb along edges    6 M
-//                                  whose climb is in doubt, which together are no
-//                                  longer than 2 M
+//   u, and n turned back           difference 1, products sqrt2, sum 1; 2.42 more,    3.42 M, 2 * 2.42 M
+//                                  which vertex is the lowest
 //   products and sums              2 of the way, 2 of either height                   6 M
 //   the speed                      s 1, normal 3.42, product, sum                     6.42 S
 //   less the slack; that at time 1                                                    M; M + S
 //   a quotient, and 1 less that                                                       2 S
-// in all below 40 M + 10 S: 48 of either are kept.
-static_assert(3 * PosedPair::kWayError >= kUnitRows * errorOf(16 + 4 + 5 + 6 + 6 + 2) &&
+// in all below 34 M + 10 S: 48 of either are kept.
+static_assert(3 * PosedPair::kWayError >= kUnitRows * errorOf(16 + 4 + 5 + 6 + 2) &&
               3 * PosedPair::kWayError >= kUnitRows * errorOf(10));
 
 /// The line of an edge, and the other polygon beyond it, which moves along a straight path as the edge's polygon sees
@@ -43,13 +52,17 @@ struct MovingBesideEdge {
   MovingBesideEdge(const PosedPair& placement, bool of_a_, int edge_, Double2 path_of_b, double margin)
       : of_a(of_a_),
         edge(static_cast<std::uint32_t>(edge_)),
-        other(convexRing(of_a ? placement.b : placement.a), of_a ? placement.pose_b : placement.pose_a),
+        other(convexRing(of_a ? placement.b : placement.a)),
         path(of_a ? path_of_b : -path_of_b) {
-    const PosedRing own(convexRing(of_a ? placement.a : placement.b), of_a ? placement.pose_a : placement.pose_b);
-    along = own.edge(edge);
-    outwards = own.normal(edge);
-    in_other = other.inFrame(outwards);
-    lowest = other.ring.supportVertex(-in_other);
+    const double* r = (of_a ? placement.pose_a : placement.pose_b).data();  // columns of three
+    const double* r_other = (of_a ? placement.pose_b : placement.pose_a).data();
+    const ConvexRing own = convexRing(of_a ? placement.a : placement.b);
+    const Double2 column_0 = load2(r), column_1 = load2(r + 3), in_frame = own.edge(edge);
+    along = column_0 * in_frame[0] + column_1 * in_frame[1];
+    const bool is_right = (cross(column_0, column_1) > 0) == (own.turn() > 0);
+    outwards = is_right ? Double2{along[1], -along[0]} : Double2{-along[1], along[0]};
+    in_other = Double2{dot(load2(r_other), outwards), dot(load2(r_other + 3), outwards)};
+    lowest = lowestVertex(other, in_other);
     to_lowest = wayTo(placement, lowest);
     error = 3 * (placement.error() + PosedPair::kWayError * lengthOne(path)) * lengthOne(along);
     speed = dot(outwards, path);
@@ -70,7 +83,7 @@ struct MovingBesideEdge {
 
   bool of_a;
   std::uint32_t edge;  ///< its number, which is its position in the path
-  PosedRing other;
+  ConvexRing other;
   Double2 path, along, outwards;  ///< of the other polygon; the edge, in the world; its outer normal, as long
   Double2 in_other;               ///< that in the other polygon's frame
   std::uint32_t lowest;           ///< the other's vertex that is least far beyond
@@ -123,11 +136,11 @@ struct Given {
 /// line of its edge there.
 bool touches(const MovingBesideEdge& beside, const PosedPair& at, double time, double margin, const Given& a,
              const Given& b, Impact& impact) {
-  const std::uint32_t lowest = beside.lowest, before = beside.other.ring.previous(lowest);
-  const double climb_after = dot(beside.in_other, beside.other.ring.edge(lowest)),
-               climb_before = -dot(beside.in_other, beside.other.ring.edge(before));
+  const std::uint32_t lowest = beside.lowest, before = beside.other.previous(lowest);
+  const double climb_after = dot(beside.in_other, beside.other.edge(lowest)),
+               climb_before = -dot(beside.in_other, beside.other.edge(before));
   const bool is_forward = climb_after <= climb_before;
-  const std::uint32_t far = is_forward ? beside.other.ring.next(lowest) : before;
+  const std::uint32_t far = is_forward ? beside.other.next(lowest) : before;
   const double square = dot(beside.along, beside.along), slack = beside.error;
   const double part = dot(beside.along, beside.to_lowest + time * beside.path);
   double share = 0;  // of the edge that climbs less, from the lowest vertex on
