@@ -106,7 +106,7 @@ class OverlapMiddle {
   bool own_reaches_beyond = false, other_reaches_beyond = false;  ///< certainly; otherwise it isn't known
 
  private:
-  struct Side {
+  struct LevelPoint {
     double at, lowest;
     Double2 way;
     double slope() const { return way[0] / way[1]; }
@@ -119,7 +119,7 @@ class OverlapMiddle {
   }
 
   /// Where an outline's side is at a level, or at corners that are above it by no more than a tie, if it comes there.
-  Side sideAt(Walk walk, std::uint32_t size, bool leads_down, double level) const {
+  LevelPoint sideAt(Walk walk, std::uint32_t size, bool leads_down, double level) const {
     const double passed = level + tie_;
     double lowest = walk.to[1];
     // An outline hardly higher than a tie has its face's end there.
@@ -139,17 +139,17 @@ class OverlapMiddle {
     level = deepest_at_[1];
     const double beyond = level - 8 * error_;
     for (std::uint32_t steps = own_size + other_size; steps > 0; --steps) {
-      const Side own_right = sideAt(own_right_, own_size, true, level);
+      const LevelPoint own_right = sideAt(own_right_, own_size, true, level);
       own_reaches_beyond = own_reaches_beyond || own_right.lowest < beyond;
       if (own_right.lowest > level + tie_) {
         level = own_right.lowest;
         continue;
       }
-      const Side own_left = sideAt(own_left_, own_size, true, level),
-                 other_right = sideAt(other_right_, other_size, false, level),
-                 other_left = sideAt(other_left_, other_size, false, level);
-      const Side &right = own_right.at < other_right.at ? own_right : other_right,
-                 &left = own_left.at > other_left.at ? own_left : other_left;
+      const LevelPoint own_left = sideAt(own_left_, own_size, true, level),
+                       other_right = sideAt(other_right_, other_size, false, level),
+                       other_left = sideAt(other_left_, other_size, false, level);
+      const LevelPoint &right = own_right.at < other_right.at ? own_right : other_right,
+                       &left = own_left.at > other_left.at ? own_left : other_left;
       across = 0.5 * left.at + 0.5 * right.at;
       if (left.at <= right.at) return true;
       const double right_slope = right.slope(), left_slope = left.slope();

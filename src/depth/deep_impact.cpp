@@ -67,8 +67,8 @@ Room widestRoom(std::vector<Touch> all, double most) {
 }
 
 /// A part of an outline, or all of b.
-struct Piece {
-  bool operator<(const Piece& other) const { return least > other.least; }
+struct OutlinePart {
+  bool operator<(const OutlinePart& other) const { return least > other.least; }
 
   double least;  ///< the time until which none of its points is as deep as is allowed
   bool of_a;
@@ -95,7 +95,7 @@ class DeepImpact {
     else
       addOutlines(0);
     const bool has_ended = !pieces_.run(
-        0, [&] { return ++steps_ > kMostSteps; }, [&](Piece&& piece) { expand(std::move(piece)); });
+        0, [&] { return ++steps_ > kMostSteps; }, [&](OutlinePart&& piece) { expand(std::move(piece)); });
     const double time = pieces_.lower();
     if (!(time <= 1)) return std::nullopt;
     Impact impact = impactAt(time);
@@ -104,7 +104,7 @@ class DeepImpact {
   }
 
  private:
-  void expand(Piece&& piece) {
+  void expand(OutlinePart&& piece) {
     if (leaves(piece)) return;
     const double time = piece.least;
     const Measured deep = measure(piece);
@@ -129,7 +129,7 @@ class DeepImpact {
   }
 
   /// Goes on with the translation that leaves the most room, if that is any.
-  bool leaves(Piece& piece) {
+  bool leaves(OutlinePart& piece) {
     const Room room = widestRoom(piece.touches, of_.allowed);
     return room.left > near_ && piece.at_once < kMostAtOnce && advance(piece, room.shift);
   }
@@ -138,7 +138,7 @@ class DeepImpact {
     double most;
     Touch touch;
   };
-  Measured measure(const Piece& piece) const {
+  Measured measure(const OutlinePart& piece) const {
     if (piece.chain.empty()) {
       const Depth depth = of_.depth(piece.least);
       return {depth.upper_bound, {depth.normal, depth.depth}};
@@ -148,7 +148,7 @@ class DeepImpact {
   }
 
   /// Goes on to the next contact of a translated piece. False if nothing is known of it.
-  bool advance(Piece& piece, const Vec2& shift) {
+  bool advance(OutlinePart& piece, const Vec2& shift) {
     const double last = piece.least;
     const bool is_all = piece.chain.empty();
     const Polygon moved = is_all ? of_.b : polygonOf(piece.chain);
@@ -178,7 +178,8 @@ class DeepImpact {
   }
 
   /// A translated piece, which is at `pose`, touches the other region already, or overlaps it.
-  void touchAtOnce(Piece& piece, const Vec2& shift, const Polygon& moved, const Pose& pose, const Impact& touch) const {
+  void touchAtOnce(OutlinePart& piece, const Vec2& shift, const Polygon& moved, const Pose& pose,
+                   const Impact& touch) const {
     ++piece.at_once;
     if (piece.chain.empty()) {
       const Touch deepest = piece.touches.empty() ? measure(piece).touch : Touch{};
@@ -195,7 +196,7 @@ class DeepImpact {
   }
 
   /// A translated piece touches the other region for the first time.
-  void addTouches(Piece& piece, const Vec2& shift, const Impact& touch, double time) const {
+  void addTouches(OutlinePart& piece, const Vec2& shift, const Impact& touch, double time) const {
     if (piece.chain.empty()) return addTouch(piece, {touch.normal, touch.normal.dot(shift)});
     for (const Vec2& normal : of_.away(touch, piece.of_a, time)) addTouch(piece, {normal, normal.dot(shift)});
   }
@@ -203,19 +204,19 @@ class DeepImpact {
   /// Whether the direction of so short a way is.
   bool isKnown(double distance) const { return distance > near_; }
 
-  static void addTouch(Piece& piece, const Touch& touch) {
+  static void addTouch(OutlinePart& piece, const Touch& touch) {
     if (piece.touches.size() == kMostTouches) piece.touches.erase(piece.touches.begin());
     piece.touches.push_back(touch);
   }
 
   /// False where shorter pieces would tell little more: they are no longer than what their depth is below the allowed.
-  bool cut(const Piece& piece, double left) {
+  bool cut(const OutlinePart& piece, double left) {
     if (piece.chain.empty()) {
       addOutlines(piece.least);
       return true;
     }
     const std::size_t count = piece.chain.size(), middle = count / 2;
-    Piece first{piece.least, piece.of_a, {}}, second = first;
+    OutlinePart first{piece.least, piece.of_a, {}}, second = first;
     if (count > 2) {
       first.chain.assign(piece.chain.begin(), piece.chain.begin() + static_cast<std::ptrdiff_t>(middle) + 1);
       second.chain.assign(piece.chain.begin() + static_cast<std::ptrdiff_t>(middle), piece.chain.end());
@@ -237,7 +238,7 @@ class DeepImpact {
 
   void addOutline(const Polygon& polygon, bool of_a, double time) {
     for (const Ring& ring : polygon.rings()) {
-      Piece piece{time, of_a, ring};
+      OutlinePart piece{time, of_a, ring};
       piece.chain.push_back(ring.front());
       pieces_.push(std::move(piece));
     }
@@ -250,7 +251,7 @@ class DeepImpact {
 
   const DeepQuestion& of_;
   const double near_;  ///< what times of impact may take for a touch
-  BestFirst<Piece> pieces_{kInfinity};
+  BestFirst<OutlinePart> pieces_{kInfinity};
   int steps_ = 0;
 };
 

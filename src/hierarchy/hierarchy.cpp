@@ -45,16 +45,16 @@ struct FittedBox {
 
 /// A part of the polygon that one box stands for: rings order[begin, end), or a chain of edges [begin, end) of one
 /// ring.
-struct Part {
+struct Content {
   enum Kind { Rings, Chain } kind;
   std::size_t begin, end;
 };
 
 /// What a part is divided into.
-struct Parts {
-  void add(const Part& part) { all[count++] = part; }
+struct Contents {
+  void add(const Content& part) { all[count++] = part; }
 
-  Part all[kLanes];
+  Content all[kLanes];
   std::size_t count = 0;
 };
 
@@ -80,7 +80,7 @@ class Builder {
     constexpr float kWithoutEnd = std::numeric_limits<float>::infinity();
     hierarchy.root = hierarchy.region = rounded(fitAll(all_), Double2{}, 1);
     if (polygon_.fill.is_complement) hierarchy.region.along = hierarchy.region.across = kWithoutEnd;
-    hierarchy.root_spanned = all_.kind == Part::Chain;
+    hierarchy.root_spanned = all_.kind == Content::Chain;
   }
 
   std::vector<Block> blocks() {
@@ -91,7 +91,7 @@ class Builder {
 
  private:
   /// Along the line from S to its farthest vertex or, if that box is smaller, along the longest edge.
-  FittedBox fitAll(const Part& all) const {
+  FittedBox fitAll(const Content& all) const {
     Double2 farthest{}, longest{};
     double most = -1, most_along = -1;
     forEachChain(all, [&](std::size_t begin, std::size_t end) {
@@ -110,28 +110,28 @@ class Builder {
   }
 
   /// A single ring is a chain.
-  Part rings(std::size_t begin, std::size_t end) const {
-    if (end - begin > 1) return {Part::Rings, begin, end};
+  Content rings(std::size_t begin, std::size_t end) const {
+    if (end - begin > 1) return {Content::Rings, begin, end};
     const std::size_t one = order_.empty() ? 0 : order_[begin];
-    return {Part::Chain, polygon_.edgeBegin(one), polygon_.edgeEnd(one)};
+    return {Content::Chain, polygon_.edgeBegin(one), polygon_.edgeEnd(one)};
   }
 
   static double area(const FittedBox& box) { return box.extents[0] * box.extents[1]; }
 
   template <typename Visit>
-  void forEachChain(const Part& part, Visit visit) const {
-    if (part.kind == Part::Chain) return visit(part.begin, part.end);
+  void forEachChain(const Content& part, Visit visit) const {
+    if (part.kind == Content::Chain) return visit(part.begin, part.end);
     for (std::size_t i = part.begin; i < part.end; ++i)
       visit(polygon_.edgeBegin(order_[i]), polygon_.edgeEnd(order_[i]));
   }
 
-  std::size_t edgeCount(const Part& part) const {
+  std::size_t edgeCount(const Content& part) const {
     std::size_t count = 0;
     forEachChain(part, [&](std::size_t begin, std::size_t end) { count += end - begin; });
     return count;
   }
 
-  FittedBox fit(const Part& part, Double2 direction) const {
+  FittedBox fit(const Content& part, Double2 direction) const {
     const double length = std::sqrt(dot(direction, direction));
     const Double2 axis = length > kShortestChord ? direction / length : Double2{1, 0};
     // Along and across: the product of a point and the axis, and their cross product.
@@ -159,15 +159,15 @@ class Builder {
 
   /// A chain's box lies along its chord or, if that is smaller, along the sum of its edges, each taken the way round
   /// that makes the sum longer.
-  FittedBox fit(const Part& part) const {
-    if (part.kind == Part::Rings) return fit(part, Double2{1, 0});
+  FittedBox fit(const Content& part) const {
+    if (part.kind == Content::Rings) return fit(part, Double2{1, 0});
     if (part.end - part.begin == 1) return fitEdge(part.begin);
     const FittedBox along_chord = fit(part, load2(local_[part.end].data()) - load2(local_[part.begin].data()));
     const FittedBox along_sum = fit(part, sumOfEdges(part));
     return area(along_sum) < area(along_chord) ? along_sum : along_chord;
   }
 
-  Double2 sumOfEdges(const Part& chain) const {
+  Double2 sumOfEdges(const Content& chain) const {
     Double2 sum{};
     for (std::size_t i = chain.begin; i < chain.end; ++i) {
       const Double2 edge = load2(local_[i + 1].data()) - load2(local_[i].data());
@@ -183,7 +183,7 @@ class Builder {
   }
 
   /// Whether a lane's box holds its part, and has room to spare.
-  [[maybe_unused]] bool holds(const Block& block, std::size_t i, const Part& part) const {
+  [[maybe_unused]] bool holds(const Block& block, std::size_t i, const Content& part) const {
     const double ux = block.ux[i], uy = block.uy[i], length = std::hypot(ux, uy);
     bool all = true;
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
@@ -198,7 +198,7 @@ class Builder {
   }
 
   /// Divides rings at `mid`, along the longer side of the bounding box of their starts.
-  void halve(const Part& whole, std::size_t mid) {
+  void halve(const Content& whole, std::size_t mid) {
     const auto start = [&](std::uint32_t ring) -> const Vec2& { return local_[polygon_.edgeBegin(ring)]; };
     Vec2 low = start(order_[whole.begin]), high = low;
     for (std::size_t i = whole.begin; i < whole.end; ++i) {
@@ -217,7 +217,7 @@ class Builder {
     const std::size_t edges = polygon_.edgeEnd(ring) - polygon_.edgeBegin(ring);
     return edges <= kLanes ? kLanes / (kLanes / edges) : kLanes * roomBelow(edges);
   }
-  std::size_t roomOf(const Part& part) const {
+  std::size_t roomOf(const Content& part) const {
     std::size_t room = 0;
     for (std::size_t i = part.begin; i < part.end; ++i) room += roomOf(order_[i]);
     return room;
@@ -225,21 +225,21 @@ class Builder {
 
   /// Up to kLanes parts, so that the blocks below are full if the rings are alike. Rings are taken apart before any is
   /// cut.
-  Parts divideRings(const Part& whole) {
+  Contents divideRings(const Content& whole) {
     std::size_t room[kLanes] = {roomOf(whole)};
     const std::size_t below = roomBelow(room[0]);
-    Parts parts;
+    Contents parts;
     parts.add(whole);
     while (parts.count < kLanes) {
       std::size_t largest = parts.count, most = below;
       for (std::size_t i = 0; i < parts.count; ++i)
-        if (parts.all[i].kind == Part::Rings && room[i] > most) largest = i, most = room[i];
+        if (parts.all[i].kind == Content::Rings && room[i] > most) largest = i, most = room[i];
       if (largest == parts.count) break;
-      const Part halved = parts.all[largest];
+      const Content halved = parts.all[largest];
       const std::size_t count = halved.end - halved.begin, groups = (most + below - 1) / below;
       const std::size_t mid = halved.begin + std::max<std::size_t>(count * (groups / 2) / groups, 1);
       halve(halved, mid);
-      room[parts.count] = roomOf({Part::Rings, mid, halved.end});
+      room[parts.count] = roomOf({Content::Rings, mid, halved.end});
       room[largest] = most - room[parts.count];
       parts.all[largest] = rings(halved.begin, mid);
       parts.add(rings(mid, halved.end));
@@ -255,26 +255,26 @@ class Builder {
   }
 
   /// A chain evenly into as few parts, up to kLanes, as let the blocks below be full.
-  static Parts cut(const Part& chain) {
+  static Contents cut(const Content& chain) {
     const std::size_t n = chain.end - chain.begin;
     const std::size_t below = roomBelow(n), k = (n + below - 1) / below;
-    Parts parts;
+    Contents parts;
     for (std::size_t i = 0; i < k; ++i)
-      parts.add({Part::Chain, chain.begin + i * n / k, chain.begin + (i + 1) * n / k});
+      parts.add({Content::Chain, chain.begin + i * n / k, chain.begin + (i + 1) * n / k});
     return parts;
   }
 
-  Parts edgesOf(const Part& part) const {
-    Parts edges;
+  Contents edgesOf(const Content& part) const {
+    Contents edges;
     forEachChain(part, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) edges.add({Part::Chain, e, e + 1});
+      for (std::size_t e = begin; e < end; ++e) edges.add({Content::Chain, e, e + 1});
     });
     return edges;
   }
 
-  std::uint32_t addBlock(const Part& whole) {
+  std::uint32_t addBlock(const Content& whole) {
     const bool leaf = edgeCount(whole) <= kLanes;
-    const Parts parts = leaf ? edgesOf(whole) : whole.kind == Part::Rings ? divideRings(whole) : cut(whole);
+    const Contents parts = leaf ? edgesOf(whole) : whole.kind == Content::Rings ? divideRings(whole) : cut(whole);
     FittedBox boxes[kLanes];
     for (std::size_t i = 0; i < parts.count; ++i) boxes[i] = leaf ? fitEdge(parts.all[i].begin) : fit(parts.all[i]);
     Double2 low{kInfinity, kInfinity}, high = -low;
@@ -307,7 +307,7 @@ class Builder {
       block.across[i] = box.across;
       if (i >= parts.count) continue;
       assert(!polygon_.fitsUnit() || holds(block, i, parts.all[i]));
-      if (parts.all[i].kind == Part::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
+      if (parts.all[i].kind == Content::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
       if (leaf) block.child[i] = static_cast<std::uint32_t>(parts.all[i].begin);
     }
     const std::size_t index = blocks_.size();
@@ -322,7 +322,7 @@ class Builder {
 
   const PolygonData& polygon_;
   const std::vector<Vec2>& local_;
-  Part all_;
+  Content all_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> order_;  ///< of rings, unless there is one alone
 };

@@ -73,7 +73,7 @@ class ImpactSearch {
     return contact;
   }
   static std::size_t edgeBelow(const Mover& mover, std::uint32_t index) {
-    Node node = mover.node(index);
+    BoxOrEdge node = mover.node(index);
     while (!node.edge) node = mover.node(node.child * kLanes);
     return node.child;
   }
@@ -98,7 +98,7 @@ class ImpactSearch {
 
   void divide(const Encounter& encounter) {
     const TimeInterval interval(pair_, encounter.least, encounter.end);
-    const Node node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
+    const BoxOrEdge node_a = pair_.a.node(encounter.a), node_b = pair_.b.node(encounter.b);
     if (node_a.edge && node_b.edge) return divideEdges(interval, encounter, node_a.child, node_b.child);
     const MovingBox a = pair_.a.box(interval.a, node_a), b = pair_.b.box(interval.b, node_b);
     const double size_a = a.along + a.across, size_b = b.along + b.across;
@@ -121,7 +121,7 @@ class ImpactSearch {
   /// Offers all boxes of a block together with the other mover's box, if floats tell enough. The edges in them are in
   /// the box that is divided, too: so its chord errors bound theirs.
   bool offerEight(const TimeInterval& interval, const IntervalCutter& cutter, bool divides_a, std::uint32_t index,
-                  const Node& node, Encounter part) {
+                  const BoxOrEdge& node, Encounter part) {
     const Mover &mover = divides_a ? pair_.a : pair_.b, &other = divides_a ? pair_.b : pair_.a;
     const Block& block = mover.tree->blocks[index];
     const double inverse = block.inverse / mover.scale;

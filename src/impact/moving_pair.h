@@ -67,7 +67,7 @@ struct MovingEdge {
 };
 
 /// One box of a hierarchy or, where that is a single edge, the edge.
-struct Node {
+struct BoxOrEdge {
   double x, y, ux, uy, along, across;  ///< in units
   std::uint32_t child;                 ///< the block below; of an edge, its position in the path
   bool edge;
@@ -80,10 +80,10 @@ constexpr std::uint32_t kRootNode = simd::kRoot;
 /// little: by the polar decomposition of its matrix, so that whatever moves keeps lengths.
 struct Mover {
   Places places(double begin, double end) const;
-  Node node(std::uint32_t index) const;
-  MovingBox box(const Places& places, const Node& node) const { return box(places, node, 1); }
+  BoxOrEdge node(std::uint32_t index) const;
+  MovingBox box(const Places& places, const BoxOrEdge& node) const { return box(places, node, 1); }
   /// By places in lengths of 1 / `inverse`.
-  MovingBox box(const Places& places, const Node& node, double inverse) const;
+  MovingBox box(const Places& places, const BoxOrEdge& node, double inverse) const;
   MovingBox edge(const Places& places, std::size_t position) const;
   /// A vertex by its position, stretched, from S: in units, and in the pair's length.
   Vec2 inUnits(std::size_t position) const {
@@ -165,7 +165,7 @@ struct MovingPair {
   double divideByLength();
 };
 
-inline Node Mover::node(std::uint32_t index) const {
+inline BoxOrEdge Mover::node(std::uint32_t index) const {
   const simd::Item item = simd::itemAt(*tree, index, polygon->degenerate_edge);
   if (stretched == 0) return {item.x, item.y, item.ux, item.uy, item.along, item.across, item.child, item.leaf};
   // Around what the box becomes, along the same axes.
@@ -174,7 +174,7 @@ inline Node Mover::node(std::uint32_t index) const {
   return {center.x(), center.y(), item.ux, item.uy, item.along + more, item.across + more, item.child, item.leaf};
 }
 
-inline MovingBox Mover::box(const Places& p, const Node& node, double inverse) const {
+inline MovingBox Mover::box(const Places& p, const BoxOrEdge& node, double inverse) const {
   const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
   const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
   const double unit = scale * inverse, x = node.x * unit, y = node.y * unit;

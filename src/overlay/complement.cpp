@@ -22,7 +22,7 @@ namespace tricover::detail {
 namespace {
 
 /// A piece of an edge, between points exactly on the edge.
-struct Piece {
+struct EdgePiece {
   /// The same for pieces that are the same but for their direction.
   std::array<OrderedPoint, 2> key() const { return {std::min(v, w), std::max(v, w)}; }
 
@@ -32,7 +32,7 @@ struct Piece {
 
 /// All edges in order, cut where a vertex is on them. Any two pieces are then the same but for their direction, or have
 /// no more than points in common.
-std::vector<Piece> cutEdges(const PolygonData& polygon) {
+std::vector<EdgePiece> cutEdges(const PolygonData& polygon) {
   std::vector<std::vector<OrderedPoint>> places(polygon.path.size());
   const Pose still = Pose::Identity();
   forEachPair(PosedPair(polygon, still, polygon, still), 0, [&](double, std::size_t i, std::size_t j) {
@@ -41,7 +41,7 @@ std::vector<Piece> cutEdges(const PolygonData& polygon) {
       places[i].push_back(ordered(p));
     return 0.0;
   });
-  std::vector<Piece> pieces;
+  std::vector<EdgePiece> pieces;
   forEachEdge(polygon, [&](std::size_t edge) {
     std::vector<OrderedPoint>& along = places[edge];
     std::sort(along.begin(), along.end());
@@ -72,17 +72,17 @@ class SnappedPoints {
 
 /// Tells of each piece whether the region is on one side of it alone, under the non-zero rule. Where that changes at a
 /// crossing, the piece is cut there if crossings are to be `rounded`, and otherwise refused.
-std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces, bool rounded) {
+std::vector<bool> bordersOf(const PolygonData& given, std::vector<EdgePiece>& pieces, bool rounded) {
   std::vector<Ring> rings(given.ringCount());
   // Where they cross is known where areas don't leave the range of doubles.
   const bool is_in_range = given.unit < 0x1p300 && given.unit > 0x1p-300;
   const double scale = rounded && !is_in_range ? given.inverse_unit : 1;
-  for (const Piece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
+  for (const EdgePiece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
   KnownSides sides{PosedRegions(cut.data())};
-  std::vector<Piece> all;
+  std::vector<EdgePiece> all;
   std::vector<bool> borders;
-  for (const Piece& piece : pieces) {
+  for (const EdgePiece& piece : pieces) {
     const EdgeSides& beside =
         sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
     const bool is_border = beside.hasAny(&EdgeSides::Piece::isBorder);
@@ -109,8 +109,8 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
   if (all.size() > pieces.size()) {
     // A crossing may be within rounding of a vertex, or of another one.
     SnappedPoints snapped(0x1p-48 * given.extent);
-    for (std::vector<Piece>* some : {&pieces, &all})
-      for (Piece& piece : *some)
+    for (std::vector<EdgePiece>* some : {&pieces, &all})
+      for (EdgePiece& piece : *some)
         piece.v = snapped.snap(Vec2(piece.v.data())), piece.w = snapped.snap(Vec2(piece.w.data()));
   }
   pieces = std::move(all);
@@ -121,11 +121,11 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<Piece>& pieces
 /// alone.
 struct BorderPieces {
   BorderPieces(const PolygonData& polygon, bool rounded) {
-    std::vector<Piece> pieces = cutEdges(polygon);
+    std::vector<EdgePiece> pieces = cutEdges(polygon);
     std::vector<bool> borders;
     if (polygon.fill.rule == FillRule::NonZero) borders = bordersOf(polygon, pieces, rounded);
     std::map<std::array<OrderedPoint, 2>, int> counts;
-    for (const Piece& piece : pieces) ++counts[piece.key()];
+    for (const EdgePiece& piece : pieces) ++counts[piece.key()];
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       if (pieces[k].v == pieces[k].w) {
         are_given = are_given && !beginsPoint(polygon, pieces[k].edge);
@@ -188,7 +188,7 @@ struct BorderPieces {
     return found;
   }
 
-  std::vector<Piece> all;
+  std::vector<EdgePiece> all;
   bool are_given = true;  ///< the polygon's rings have no others
 };
 

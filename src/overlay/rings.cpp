@@ -65,8 +65,8 @@ double turningOf(const PolygonData& polygon, std::size_t ring, std::int8_t side)
   return turned / (2 * kPi);
 }
 
-struct KnownSides : Derived::Thing {
-  explicit KnownSides(const PolygonData& polygon) {
+struct RingSides : Derived::Thing {
+  explicit RingSides(const PolygonData& polygon) {
     const bool are_known = polygon.ringCount() * polygon.path.size() <= kMostLooks && !meetsItself(polygon);
     for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
       sides.rings.push_back(are_known ? sideOf(polygon, r) : std::int8_t{0});
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon) {
 bool meetsItself(const PolygonData& polygon) { return hierarchyOf(polygon).tangles.made<OwnMeetings>(polygon).some; }
 
 const RegionSides& regionSidesOf(const PolygonData& polygon) {
-  return hierarchyOf(polygon).sides.made<KnownSides>(polygon).sides;
+  return hierarchyOf(polygon).sides.made<RingSides>(polygon).sides;
 }
 
 }  // namespace tricover::detail

@@ -24,7 +24,7 @@ static_assert(kLanes == 1 << 3);
 
 }  // namespace
 
-Bounds BoxTree::Node::all() const {
+Bounds BoxTree::Branch::all() const {
   Bounds bounds = at(0);
   for (unsigned i = 1; i < count; ++i) bounds = unite(bounds, at(i));
   return bounds;
@@ -33,7 +33,7 @@ Bounds BoxTree::Node::all() const {
 std::uint32_t BoxTree::newNode(bool leaf) {
   const std::uint32_t index = free_.back();  // reserveFor() made room
   free_.pop_back();
-  Node& node = nodes_[index];
+  Branch& node = nodes_[index];
   node.parent = kNone;
   node.lane = 0;
   node.count = 0;
@@ -43,7 +43,7 @@ std::uint32_t BoxTree::newNode(bool leaf) {
 }
 
 void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
-  Node& node = nodes_[index];
+  Branch& node = nodes_[index];
   node.set(lane, entry.bounds);
   node.child[lane] = entry.child;
   if (node.leaf) {
@@ -58,7 +58,7 @@ void BoxTree::put(std::uint32_t index, unsigned lane, const Entry& entry) {
 std::uint32_t BoxTree::leafFor(const Bounds& bounds) {
   std::uint32_t index = root_;
   while (!nodes_[index].leaf) {
-    Node& node = nodes_[index];
+    Branch& node = nodes_[index];
     unsigned best = 0;
     double least = kInfinity, size = kInfinity;
     for (unsigned i = 0; i < node.count; ++i) {
@@ -75,7 +75,7 @@ std::uint32_t BoxTree::leafFor(const Bounds& bounds) {
 }
 
 void BoxTree::addTo(std::uint32_t index, const Entry& entry) {
-  Node& node = nodes_[index];
+  Branch& node = nodes_[index];
   if (node.count == kLanes) return split(index, entry);
   put(index, node.count, entry);
   ++node.count;
@@ -109,7 +109,7 @@ void BoxTree::split(std::uint32_t index, const Entry& entry) {
     }
   }
   const std::uint32_t other = newNode(nodes_[index].leaf);
-  Node &first = nodes_[index], &second = nodes_[other];
+  Branch &first = nodes_[index], &second = nodes_[other];
   for (unsigned i = 0; i < kLanes; ++i) first.set(i, kNothing);
   first.count = static_cast<std::uint8_t>(count);
   second.count = static_cast<std::uint8_t>(kAll - count);
@@ -129,7 +129,7 @@ void BoxTree::split(std::uint32_t index, const Entry& entry) {
 /// Shrinks the boxes around a node, up to the root, after a box has been taken from it.
 void BoxTree::tighten(std::uint32_t index) {
   while (index != root_) {
-    const Node& node = nodes_[index];
+    const Branch& node = nodes_[index];
     const Bounds all = node.all(), was = nodes_[node.parent].at(node.lane);
     if (all.contains(was)) return;
     nodes_[node.parent].set(node.lane, all);
@@ -138,7 +138,7 @@ void BoxTree::tighten(std::uint32_t index) {
 }
 
 void BoxTree::takeFrom(std::uint32_t index, unsigned lane) {
-  Node& node = nodes_[index];
+  Branch& node = nodes_[index];
   const unsigned last = node.count - 1u;
   if (lane != last) put(index, lane, {node.at(last), node.child[last]});
   node.set(last, kNothing);
@@ -188,7 +188,7 @@ void BoxTree::remove(std::uint32_t item) {
 
 void BoxTree::move(std::uint32_t item, const Bounds& bounds) {
   const std::uint32_t index = places_[item] / kLanes, lane = places_[item] % kLanes;
-  Node& node = nodes_[index];
+  Branch& node = nodes_[index];
   if (index == root_ || nodes_[node.parent].at(node.lane).contains(bounds)) {
     node.set(lane, bounds);
     return;

@@ -46,7 +46,7 @@ class BoxTree {
     int top = 0;
     stack[top++] = root_;
     while (top > 0) {
-      const Node& node = nodes_[stack[--top]];
+      const Branch& node = nodes_[stack[--top]];
       unsigned met = boxesMeeting(node, bounds);
       if (!node.leaf) {
         for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
@@ -87,7 +87,7 @@ class BoxTree {
   static constexpr int kStack = kLevels * (kLanes - 1) + 1;
 
   /// Boxes beyond the count are kNothing.
-  struct Node : EightBoxes {
+  struct Branch : EightBoxes {
     std::uint32_t child[kLanes];  ///< nodes, or a leaf's items
     std::uint32_t parent, lane;   ///< kNone for the root; the index of this node among the parent's boxes
     std::uint8_t count;
@@ -131,7 +131,7 @@ class BoxTree {
   void reserveNodes(std::size_t more);
   void reserveFor(std::uint32_t item);
 
-  std::vector<Node> nodes_;
+  std::vector<Branch> nodes_;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> places_;  ///< node and lane of each item, as one number
   std::uint32_t root_ = kNone;
@@ -141,7 +141,7 @@ class BoxTree {
 template <typename Near, typename Visit>
 void BoxTree::visitInOrder(double most, const Near& near, const Visit& visit) const {
   struct Level {
-    const Node* node;
+    const Branch* node;
     unsigned left;  ///< lanes that haven't been entered
     std::int64_t keys[kLanes];
   };

@@ -167,17 +167,17 @@ Course asked(const Course& course, const Polygon& polygon, double begin, double 
 }
 
 /// Vertices that follow each other, and a box around them.
-struct Part {
+struct VertexRun {
   tricover::Ring vertices;
   Eigen::AlignedBox2d around;
 };
 
-std::vector<Part> partsOf(const Polygon& polygon) {
+std::vector<VertexRun> partsOf(const Polygon& polygon) {
   constexpr tricover::EdgeIndex kMost = 16;
   const tricover::EdgeIndex many = (polygon.edgeCount() + kMost - 1) / kMost;
-  std::vector<Part> parts(static_cast<std::size_t>((polygon.edgeCount() + many - 1) / many));
+  std::vector<VertexRun> parts(static_cast<std::size_t>((polygon.edgeCount() + many - 1) / many));
   for (tricover::EdgeIndex e = 0; e < polygon.edgeCount(); ++e) {
-    Part& part = parts[static_cast<std::size_t>(e / many)];
+    VertexRun& part = parts[static_cast<std::size_t>(e / many)];
     part.vertices.push_back(polygon.edgeStart(e));
     part.around.extend(part.vertices.back());
   }
@@ -189,7 +189,7 @@ template <typename S>
 struct Mover {
   const Polygon& polygon;
   const Course& course;
-  std::vector<Part> parts = partsOf(polygon);
+  std::vector<VertexRun> parts = partsOf(polygon);
   double time = 0, speed = 0;
   Pose pose = Pose::Identity();
 
@@ -209,7 +209,7 @@ struct Mover {
     const double loose =
         16 * static_cast<double>(std::numeric_limits<S>::epsilon()) + 4 * tricover::detail::defectOf(pose);
     std::vector<Front> fronts;
-    for (const Part& part : parts) {
+    for (const VertexRun& part : parts) {
       double place = -std::numeric_limits<double>::infinity();
       for (const Vec2& vertex : part.vertices)
         place = std::max(place, direction.dot(pose.linear() * vertex + (pose.translation() - origin)));
