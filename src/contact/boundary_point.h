@@ -15,19 +15,19 @@ namespace tricover::detail {
 inline const PolygonData& polygonOf(const PosedPair& pair, int side) { return side == 0 ? pair.a : pair.b; }
 inline const Pose& poseOf(const PosedPair& pair, int side) { return side == 0 ? pair.pose_a : pair.pose_b; }
 
-/// A point of an overlap's boundary, in the WorldFrame, and the edges by side that it is on (positions; -1: none): a
+/// A point of an overlap's boundary, in the WorldFrame, and the edges by side that it is on (or kNoEdge): a
 /// crossing is on one of each, a vertex on two of its polygon.
 struct BoundaryPoint {
   Vec2 at;
-  std::int32_t edge[2] = {-1, -1}, before[2] = {-1, -1};
+  EdgePosition edge[2] = {kNoEdge, kNoEdge}, before[2] = {kNoEdge, kNoEdge};
 };
 
 /// A vertex, and the edges there beyond repetitions of it.
-inline BoundaryPoint vertexPoint(const PolygonData& polygon, int side, std::size_t v, const Vec2& at) {
+inline BoundaryPoint vertexPoint(const PolygonData& polygon, int side, EdgePosition v, const Vec2& at) {
   const EdgesAt edges = edgesAt(polygon, v);
   BoundaryPoint point{at};
-  point.edge[side] = static_cast<std::int32_t>(edges.after);
-  point.before[side] = static_cast<std::int32_t>(edges.before);
+  point.edge[side] = edges.after;
+  point.before[side] = edges.before;
   return point;
 }
 
@@ -51,7 +51,7 @@ void forEachEdgeOnRay(const PosedPair& pair, const WorldFrame& frame, int side, 
   const double error = 4 * frame.error() * scale + 0x1p-40 * (at.norm() + 4);
   const auto inUnits = [scale, error](double world) { return world * scale * (1 + 0x1p-10) + error; };
   Ray ray{at.x(), at.y(), along.x(), along.y(), error, inUnits(length)};
-  forEachEdgeOn(polygon, &ray, [&](std::size_t edge) {
+  forEachEdgeOn(polygon, &ray, [&](EdgePosition edge) {
     ray.length = inUnits(visit(edge));
     return true;
   });

@@ -21,7 +21,7 @@ namespace {
 double wayToNextEdge(const PosedPair& pair, const WorldFrame& frame, const Vec2& from, const Vec2& way, double length) {
   const double error = 8 * frame.error();
   for (const int side : {0, 1})
-    forEachEdgeOnRay(pair, frame, side, from, way, length, [&](std::size_t edge) {
+    forEachEdgeOnRay(pair, frame, side, from, way, length, [&](EdgePosition edge) {
       const auto [v, w] = frame.edgeEnds(side, edge);
       const double over_v = cross(way, v - from), over_w = cross(way, w - from);
       if ((over_v > error && over_w > error) || (over_v < -error && over_w < -error)) return length;
@@ -132,7 +132,7 @@ class ContactFinder {
       assert(exit.depth >= 0 && std::abs(exit.normal.norm() - 1) < 0x1p-40);
       const Vec2 point = pointOf(component, hull, exit);
       result.push_back(contactOf(point, exit));
-      if (exit.edges[0] >= 0 && exit.edges[1] >= 0) addEnds(result.back(), point, exit, hull);
+      if (exit.edges[0] != kNoEdge && exit.edges[1] != kNoEdge) addEnds(result.back(), point, exit, hull);
     }
     return result;
   }
@@ -200,20 +200,19 @@ class ContactFinder {
     const bool alike = agrees && exit.normal.dot(p.normal) >= 1 - 0x1p-20;
     if (agrees && !alike && partsFreely(exit)) return exit;
     // An exit that agrees with the search to its precision is known better.
-    if (!alike || !parts(exit.depth, exit.normal)) exit = {p.normal, depth, {-1, -1}, 0};
+    if (!alike || !parts(exit.depth, exit.normal)) exit = {p.normal, depth};
     // Either edge at a vertex that parts last will do.
-    const auto partsLast = [&](int side, std::size_t position) {
+    const auto partsLast = [&](int side, EdgePosition position) {
       const WorldFrame::Ends edge = frame_.edgeEnds(side, position);
       const Vec2 at = frame_.fromWorld(side == 0 ? p.point_a : p.point_b);
       return (nearestOnSegment(at, edge.v, edge.w) - at).norm() <= 64 * frame_.error();
     };
     for (const int side : {0, 1}) {
-      std::ptrdiff_t& edge = exit.edges[side];
-      if (edge >= 0 && partsLast(side, static_cast<std::size_t>(edge))) continue;
-      const auto number = static_cast<std::size_t>(side == 0 ? p.edge_a : p.edge_b);
-      edge = static_cast<std::ptrdiff_t>(polygonOf(pair_, side).edgePosition(number));
+      EdgePosition& edge = exit.edges[side];
+      if (edge != kNoEdge && partsLast(side, edge)) continue;
+      edge = polygonOf(pair_, side).edgePosition(side == 0 ? p.edge_a : p.edge_b);
     }
-    if (component.crossings.empty()) exit.edges[leftmostOf(component).edge[1] >= 0 ? 0 : 1] = -1;
+    if (component.crossings.empty()) exit.edges[leftmostOf(component).edge[1] != kNoEdge ? 0 : 1] = kNoEdge;
     return depth > 64 * frame_.error() ? exit : exitOfTouch(exit, way);
   }
 
@@ -248,7 +247,7 @@ class ContactFinder {
       return contactOf(vertex.at, none);
     }
     const EdgeCrossing& c = crossings_[*first];
-    for (const int side : {0, 1}) none.edges[side] = static_cast<std::ptrdiff_t>(c.edge[side]);
+    for (const int side : {0, 1}) none.edges[side] = c.edge[side];
     return contactOf(c.point, none);
   }
 
@@ -273,11 +272,8 @@ class ContactFinder {
   }
 
   Contact contactOf(const Vec2& point, const Exit& exit) const {
-    const auto number = [&](int side) {
-      const std::ptrdiff_t edge = exit.edges[side];
-      return edge < 0 ? edge : polygonOf(pair_, side).edgeName(static_cast<std::size_t>(edge));
-    };
-    return contactAt(frame_.toWorld(point), exit.normal, exit.depth * frame_.unit(), number(0), number(1));
+    return contactAt(frame_.toWorld(point), exit.normal, exit.depth * frame_.unit(), pair_.a.edgeName(exit.edges[0]),
+                     pair_.b.edgeName(exit.edges[1]));
   }
 
   /// On the component, whose hull tells how far its edges matter.
@@ -289,9 +285,7 @@ class ContactFinder {
     const auto [first, last] = std::minmax_element(hull.begin(), hull.end(), isBefore);
     extent.low = extent.along.dot(first->at);
     extent.high = extent.along.dot(last->at);
-    const auto pieceOf = [&](int side) {
-      return straightPiece(pair_, frame_, side, static_cast<std::size_t>(exit.edges[side]), extent);
-    };
+    const auto pieceOf = [&](int side) { return straightPiece(pair_, frame_, side, exit.edges[side], extent); };
     detail::addEnds(contact, frame_, pieceOf(0), pieceOf(1), point, margin_);
   }
 

@@ -42,33 +42,32 @@ Exit ComponentExits::exitOf(const OverlapComponent& component) {
   return exit.depth < std::numeric_limits<double>::infinity() ? exit : ofTouch(component);
 }
 
-std::ptrdiff_t ComponentExits::flatter(int side, const BoundaryPoint& p, const Vec2& normal) const {
-  if (p.edge[side] < 0) return -1;
-  const EdgesAt at{static_cast<std::size_t>(p.edge[side]), static_cast<std::size_t>(p.before[side])};
-  return static_cast<std::ptrdiff_t>(flatterEdge(at, normal, [&](std::size_t e) { return frame_.edgeEnds(side, e); }));
+EdgePosition ComponentExits::flatter(int side, const BoundaryPoint& p, const Vec2& normal) const {
+  if (p.edge[side] == kNoEdge) return kNoEdge;
+  const EdgesAt at{p.edge[side], p.before[side]};
+  return flatterEdge(at, normal, [&](EdgePosition e) { return frame_.edgeEnds(side, e); });
 }
 
 Exit ComponentExits::exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const {
   const SupportGap gap = leastSupportGap(pair_, &axes, 4 * frame_.error() * frame_.unit());
   const int face = gap.of_a ? 0 : 1, other = 1 - face;
   const PolygonData &own = polygonOf(pair_, face), &behind = polygonOf(pair_, other);
-  const std::size_t corner = convexOutlineOf(behind).corners[gap.deepest];
+  const EdgePosition corner = convexOutlineOf(behind).corners[gap.deepest];
   const BoundaryPoint deepest = vertexPoint(behind, other, corner, frame_.from(other, behind.path[corner]));
   const Vec2 in_own = face == 0 ? frame_.toA(deepest.at) : frame_.toB(deepest.at);
-  Exit exit{gap.normal, gap.depth / frame_.unit(), {-1, -1}, face};
-  exit.edges[face] = static_cast<std::ptrdiff_t>(pathEdge(own, convexOutlineOf(own), gap.edge, in_own));
+  Exit exit{gap.normal, gap.depth / frame_.unit(), {kNoEdge, kNoEdge}, face};
+  exit.edges[face] = pathEdge(own, convexOutlineOf(own), gap.edge, in_own);
   exit.edges[other] = flatter(other, deepest, gap.normal);
-  if (component.crossings.empty()) exit.edges[component.points.front().edge[0] < 0 ? 0 : 1] = -1;
+  if (component.crossings.empty()) exit.edges[component.points.front().edge[0] == kNoEdge ? 0 : 1] = kNoEdge;
   return exit;
 }
 
 /// The edge that separates last by a piece: at the end that does, the flatter one there.
-std::ptrdiff_t ComponentExits::edgeOf(const OutlinePiece& piece, const Vec2& normal) const {
+EdgePosition ComponentExits::edgeOf(const OutlinePiece& piece, const Vec2& normal) const {
   const double up = (piece.side == 0 ? 1 : -1) * normal.dot(piece.way());
   if (std::abs(up) <= ExitLength::kSameAngle * piece.way().norm()) return piece.position;
   const PolygonData& polygon = polygonOf(pair_, piece.side);
-  const auto edge = static_cast<std::size_t>(piece.position);
-  const std::size_t end = up > 0 ? edgeAfter(polygon, edge) : edge;
+  const EdgePosition end = up > 0 ? edgeAfter(polygon, piece.position) : piece.position;
   return flatter(piece.side, vertexPoint(polygon, piece.side, end, up > 0 ? piece.edge.w : piece.edge.v), normal);
 }
 
@@ -87,7 +86,7 @@ Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
     pieces.insert(pieces.end(), component.around.begin(), component.around.end());
     shortest = shortestExit(pieces, a, b, frame_.error());
   }
-  Exit exit{shortest.normal, shortest.length, {-1, -1}, shortest.of_a ? 0 : 1};
+  Exit exit{shortest.normal, shortest.length, {kNoEdge, kNoEdge}, shortest.of_a ? 0 : 1};
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;
   for (const OutlinePiece* piece : {shortest.found.top, shortest.found.bottom})
     if (piece != nullptr) exit.edges[piece->side] = edgeOf(*piece, exit.normal);
@@ -98,11 +97,11 @@ Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
 /// The deepest point may be a vertex of the other polygon, and have no edge of its own.
 void ComponentExits::completeEdges(const OverlapComponent& component, Exit& exit) const {
   for (const int side : {0, 1}) {
-    if (exit.edges[side] >= 0) continue;
+    if (exit.edges[side] != kNoEdge) continue;
     double farthest = -std::numeric_limits<double>::infinity();
     for (const BoundaryPoint& point : component.points) {
       const double along = (side == 0 ? 1 : -1) * exit.normal.dot(point.at);
-      if (point.edge[side] < 0 || !(along >= farthest)) continue;
+      if (point.edge[side] == kNoEdge || !(along >= farthest)) continue;
       farthest = along;
       exit.edges[side] = point.edge[side];
     }
@@ -111,10 +110,7 @@ void ComponentExits::completeEdges(const OverlapComponent& component, Exit& exit
 
 Exit ComponentExits::ofTouch(const OverlapComponent& component) const {
   const EdgeCrossing& main = crossings_[longestStretch(frame_, crossings_, component)];
-  return {normalOfTouch(component, main),
-          0,
-          {static_cast<std::ptrdiff_t>(main.edge[0]), static_cast<std::ptrdiff_t>(main.edge[1])},
-          0};
+  return {normalOfTouch(component, main), 0, {main.edge[0], main.edge[1]}, 0};
 }
 
 /// From a to b. Where edges touch along an interval, across these. Where they share a point alone, the normal of one of
@@ -145,12 +141,12 @@ std::vector<Vec2> ComponentExits::directionsFrom(const OverlapComponent& compone
   const double error = frame_.error();
   std::vector<Vec2> directions;
   for (const int side : {0, 1}) {
-    std::vector<std::size_t> edges;
+    std::vector<EdgePosition> edges;
     for (const std::size_t k : component.crossings)
       if (!((crossings_[k].point - main.point).norm() > 8 * error)) edges.push_back(crossings_[k].edge[side]);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const std::size_t edge : edges) {
+    for (const EdgePosition edge : edges) {
       const WorldFrame::Ends ends = frame_.edgeEnds(side, edge);
       for (const Vec2& end : {ends.v, ends.w}) {
         const Vec2 way = side == 0 ? Vec2(end - main.point) : Vec2(main.point - end);
@@ -168,8 +164,8 @@ Polygon ComponentExits::ringsOf(const OverlapComponent& component, int side) con
   std::vector<Ring> rings;
   std::size_t last = polygon.ringCount();
   for (const BoundaryPoint& point : component.points) {
-    if (point.edge[side] < 0) continue;
-    const std::size_t ring = polygon.ringOf(static_cast<std::size_t>(point.edge[side]));
+    if (point.edge[side] == kNoEdge) continue;
+    const std::size_t ring = polygon.ringOf(point.edge[side]);
     if (ring != last) rings.push_back(polygon.vertices(ring));
     last = ring;
   }
@@ -178,18 +174,18 @@ Polygon ComponentExits::ringsOf(const OverlapComponent& component, int side) con
 
 /// In a containment: past the nearest of the outer polygon's edges.
 Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
-  const int inner = leftmostOf(component).edge[1] >= 0 ? 1 : 0, outer = 1 - inner;
+  const int inner = leftmostOf(component).edge[1] != kNoEdge ? 1 : 0, outer = 1 - inner;
   // Only the inner polygon is searched from, so that many components don't cost their number squared.
   const Polygon own_rings = ringsOf(component, inner);
   const PolygonData &inside = own_rings.data(), &outside = polygonOf(pair_, outer);
   // Edges of the component's own rings are no way out of it, unless the component is all around a complement's hole.
-  std::unordered_set<std::size_t> own;
+  std::unordered_set<EdgePosition> own;
   for (const BoundaryPoint& point : component.points)
-    if (point.edge[outer] >= 0 && !outside.fill.is_complement) own.insert(static_cast<std::size_t>(point.edge[outer]));
+    if (point.edge[outer] != kNoEdge && !outside.fill.is_complement) own.insert(point.edge[outer]);
   double nearest = std::numeric_limits<double>::infinity();
   // Beyond the range of squares, any edge will do.
   Vec2 in = leftmostOf(component).at, out = frame_.from(outer, outside.path.front()), across = Vec2::UnitX();
-  const auto tryEdges = [&](std::size_t i, std::size_t o) {
+  const auto tryEdges = [&](EdgePosition i, EdgePosition o) {
     if (own.count(o) != 0) return;
     const WorldFrame::Ends edge{frame_.from(inner, inside.path[i]), frame_.from(inner, inside.path[i + 1])},
         outer_edge = frame_.edgeEnds(outer, o);
@@ -205,7 +201,7 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
   const double far = 4 * std::min(pair_.a.reach + pair_.b.reach, 0x1p1020);
   const PosedPair pair(inside, poseOf(pair_, inner), outside, poseOf(pair_, outer));
   const bool is_inner_first = inside.unit > outside.unit;
-  forEachPair(is_inner_first ? pair : pair.back(), far, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(is_inner_first ? pair : pair.back(), far, [&](double, EdgePosition i, EdgePosition j) {
     tryEdges(is_inner_first ? i : j, is_inner_first ? j : i);
     return std::min(far, (nearest + frame_.error()) * frame_.unit());
   });
@@ -214,7 +210,7 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
     outwards = (out - in).stableNormalized();
   else if (across.dot(out - (inner == 1 ? Vec2(Vec2::Zero()) : frame_.originOfA())) < 0)
     outwards = -across;
-  Exit exit{inner == 1 ? outwards : Vec2(-outwards), 0, {-1, -1}, outer};
+  Exit exit{inner == 1 ? outwards : Vec2(-outwards), 0, {kNoEdge, kNoEdge}, outer};
   // Beside a reflex corner the rings may reach farther than the nearest edge: then they are to pass their own length.
   double farthest = outwards.dot(out);
   for (const BoundaryPoint& point : component.points) farthest = std::max(farthest, outwards.dot(point.at));

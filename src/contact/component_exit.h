@@ -16,7 +16,7 @@ namespace tricover::detail {
 struct Exit {
   Vec2 normal = Vec2::UnitX();
   double depth = std::numeric_limits<double>::infinity();
-  std::ptrdiff_t edges[2] = {-1, -1};  ///< positions
+  EdgePosition edges[2] = {kNoEdge, kNoEdge};
   int face = 0;  ///< the side whose face it leads across: a point of the other is deepest behind it
 };
 
@@ -42,8 +42,8 @@ class ComponentExits {
   Exit exitOfConvex(const OverlapComponent& component, const SeparatingAxes& axes) const;
 
  private:
-  std::ptrdiff_t flatter(int side, const BoundaryPoint& p, const Vec2& normal) const;
-  std::ptrdiff_t edgeOf(const OutlinePiece& piece, const Vec2& normal) const;
+  EdgePosition flatter(int side, const BoundaryPoint& p, const Vec2& normal) const;
+  EdgePosition edgeOf(const OutlinePiece& piece, const Vec2& normal) const;
   Exit byOutlines(const OverlapComponent& component) const;
   void completeEdges(const OverlapComponent& component, Exit& exit) const;
   Exit ofTouch(const OverlapComponent& component) const;

@@ -53,7 +53,7 @@ void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& 
   }
 }
 
-WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, std::size_t edge,
+WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, EdgePosition edge,
                                const Extent& extent) {
   const PolygonData& polygon = side == 0 ? pair.a : pair.b;
   const auto at = [&](std::size_t k) { return frame.from(side, polygon.path[k]); };
@@ -65,10 +65,11 @@ WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, i
     const bool is_left = extent.along.dot(forwards) > 0 ? place < extent.high : place > extent.low;
     return is_left && forwards.dot(next - end) >= 0 && std::abs(cross(way, next - start)) <= 4 * frame.error();
   };
-  for (std::size_t e = edgeAfter(polygon, edge); e != edge && goesOn(piece.w, at(e + 1), way);
+  for (EdgePosition e = edgeAfter(polygon, edge); e != edge && goesOn(piece.w, at(e + 1), way);
        e = edgeAfter(polygon, e))
     piece.w = at(e + 1);
-  for (std::size_t e = edgeBefore(polygon, edge); e != edge && goesOn(piece.v, at(e), -way); e = edgeBefore(polygon, e))
+  for (EdgePosition e = edgeBefore(polygon, edge); e != edge && goesOn(piece.v, at(e), -way);
+       e = edgeBefore(polygon, e))
     piece.v = at(e);
   return piece;
 }

@@ -63,7 +63,7 @@ struct Extent {
 
 /// The straight piece of an outline (side 0: a's, 1: b's) that an edge is part of, but for rounding, up to the first
 /// vertices beyond the extent. In the WorldFrame.
-WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, std::size_t edge,
+WorldFrame::Ends straightPiece(const PosedPair& pair, const WorldFrame& frame, int side, EdgePosition edge,
                                const Extent& extent);
 
 }  // namespace tricover::detail

@@ -27,20 +27,19 @@ Contact contactBeside(const PosedPair& pair, double margin) {
   const auto [nearest, normal] = nearestContact(pair);
   const WorldFrame frame(pair);
   const double error = 4 * frame.error(), depth = std::max(margin - nearest.distance, 0.0);
-  const std::size_t nearest_a = pair.a.edgePosition(static_cast<std::size_t>(nearest.edge_a)),
-                    nearest_b = pair.b.edgePosition(static_cast<std::size_t>(nearest.edge_b));
+  const EdgePosition nearest_a = pair.a.edgePosition(nearest.edge_a), nearest_b = pair.b.edgePosition(nearest.edge_b);
   // In the frame, since far from the world's origin the world's coordinates don't tell ends from other points.
   const auto [on_a, on_b] = nearestPlaces(frame.edgeEndsOfA(nearest_a), frame.edgeEndsOfB(nearest_b));
   // At a vertex either edge may face the other polygon.
-  const auto facing = [&, &normal = normal](int side, std::size_t edge, const Vec2& at) {
+  const auto facing = [&, &normal = normal](int side, EdgePosition edge, const Vec2& at) {
     const PolygonData& polygon = side == 0 ? pair.a : pair.b;
     const WorldFrame::Ends ends = frame.edgeEnds(side, edge);
     const bool at_v = (at - ends.v).norm() <= error;
     if (!at_v && (at - ends.w).norm() > error) return edge;
     const EdgesAt vertex = edgesAt(polygon, at_v ? edge : edgeAfter(polygon, edge));
-    return flatterEdge(vertex, normal, [&](std::size_t e) { return frame.edgeEnds(side, e); });
+    return flatterEdge(vertex, normal, [&](EdgePosition e) { return frame.edgeEnds(side, e); });
   };
-  const std::size_t edge_a = facing(0, nearest_a, on_a), edge_b = facing(1, nearest_b, on_b);
+  const EdgePosition edge_a = facing(0, nearest_a, on_a), edge_b = facing(1, nearest_b, on_b);
   const Vec2 middle = nearest.point_a / 2 + nearest.point_b / 2;
   Contact contact = contactAt(middle, normal, depth, pair.a.edgeName(edge_a), pair.b.edgeName(edge_b));
   const Extent all{Vec2(-normal.y(), normal.x())};

@@ -56,7 +56,7 @@ Located placeOf(Double2 p, const AxisSide& side, double doubtful) {
   const ConvexRing& ring = side.ring.ring;
   const Double2 way = p - ring.vertex(0);
   bool is_unsure = false;
-  const auto isBeyond = [&](std::uint32_t edge) {
+  const auto isBeyond = [&](EdgePosition edge) {
     const double area = cross(ring.edge(edge), p - ring.vertex(edge));
     is_unsure = is_unsure || !(area > doubtful);
     return area < -doubtful;
@@ -277,13 +277,13 @@ class ConvexPair {
 
   /// An edge at the corner that is deepest behind the face: the one that is more across its normal.
   struct Incident {
-    std::uint32_t edge;     ///< of the outline
-    std::size_t path_edge;  ///< of the path's edges there, the one at the corner
+    EdgePosition edge;       ///< of the outline
+    EdgePosition path_edge;  ///< of the path's edges there, the one at the corner
   };
   Incident incidentEdge() const {
     const AxisSide& side = axes_.side(!face_.of_a);
     const std::uint32_t corner = face_.deepest;
-    const auto slope = [&](std::uint32_t edge) {
+    const auto slope = [&](EdgePosition edge) {
       const Double2 way = side.ring.edge(edge);
       const double along = dot(load2(up_.data()), way);
       return along * along / dot(way, way);

@@ -19,7 +19,7 @@ namespace detail {
 namespace {
 
 /// Whether an edge is there only because a path has three of each ring: the next one has its number.
-bool isPadding(const PolygonData& polygon, std::size_t edge) {
+bool isPadding(const PolygonData& polygon, EdgePosition edge) {
   return polygon.has_repeats && edge + 1 < polygon.edgeEnd(polygon.ringOf(edge)) &&
          polygon.edgeNumber(edge) == polygon.edgeNumber(edge + 1);
 }
@@ -29,10 +29,9 @@ std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOpti
   const bool is_open = options.touching == Touching::Allowed;
   const WorldFrame frame(pair);
   std::vector<Crossing> result;
-  const auto add = [&](std::size_t i, std::size_t j, const Vec2& point) {
+  const auto add = [&](EdgePosition i, EdgePosition j, const Vec2& point) {
     if (isPadding(pair.a, i) || isPadding(pair.b, j)) return;
-    result.push_back({static_cast<std::ptrdiff_t>(pair.a.edgeNumber(i)),
-                      static_cast<std::ptrdiff_t>(pair.b.edgeNumber(j)), frame.toWorld(point)});
+    result.push_back({pair.a.edgeNumber(i), pair.b.edgeNumber(j), frame.toWorld(point)});
   };
   std::optional<InnerCrossings> inner;
   const std::vector<EdgeCrossing> found = findCrossings(pair, frame);
@@ -40,7 +39,7 @@ std::vector<Crossing> crossingsInWorld(const PosedPair& pair, const CrossingOpti
   for (const EdgeCrossing& crossing : found)
     if (!inner || inner->has(crossing)) add(crossing.edge[0], crossing.edge[1], crossing.point);
   if (margin == 0) return result;
-  forEachPair(pair, margin, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(pair, margin, [&](double, EdgePosition i, EdgePosition j) {
     if (!edgesMeet(pair, i, j) && edgesWithin(pair, i, j, margin, 0, is_open)) {
       const auto [on_a, on_b] = nearestPlaces(frame.edgeEndsOfA(i), frame.edgeEndsOfB(j));
       add(i, j, 0.5 * on_a + 0.5 * on_b);
@@ -80,7 +79,7 @@ Span spanNear(const WorldFrame::Ends& edge, const WorldFrame::Ends& other, doubl
 std::vector<EdgeCrossing> findCrossings(const PosedPair& pair, const WorldFrame& frame) {
   std::vector<EdgeCrossing> result;
   result.reserve(8);
-  forEachPair(pair, 0, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(pair, 0, [&](double, EdgePosition i, EdgePosition j) {
     if (edgesMeet(pair, i, j)) {
       const WorldFrame::Ends edge_a = frame.edgeEndsOfA(i), edge_b = frame.edgeEndsOfB(j);
       const Span on_a = spanNear(edge_a, edge_b, frame.error()), on_b = spanNear(edge_b, edge_a, frame.error());

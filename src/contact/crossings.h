@@ -21,10 +21,10 @@ struct Span {
   double middle() const { return 0.5 * low + 0.5 * high; }
 };
 
-/// Two edges by side (positions in the paths) that share a point, and where, but for rounding: more than a point where
+/// Two edges by side that share a point, and where, but for rounding: more than a point where
 /// they are collinear.
 struct EdgeCrossing {
-  std::size_t edge[2];
+  EdgePosition edge[2];
   Span on[2];
   Vec2 point;     ///< in the WorldFrame
   int direction;  ///< see crossingDirection()
@@ -62,19 +62,18 @@ class InnerCrossings {
   /// The same of a vertex inside the other region, and along its edges as far as they lead without meeting the other
   /// polygon's edges.
   bool meetBeside(const BoundaryPoint& vertex) {
-    return (vertex.edge[1] < 0 && meetBeside(EdgeSides::A, vertex.edge[0], vertex.before[0])) ||
-           (vertex.edge[0] < 0 && meetBeside(EdgeSides::B, vertex.edge[1], vertex.before[1]));
+    return (vertex.edge[1] == kNoEdge && meetBeside(EdgeSides::A, vertex.edge[0], vertex.before[0])) ||
+           (vertex.edge[0] == kNoEdge && meetBeside(EdgeSides::B, vertex.edge[1], vertex.before[1]));
   }
 
  private:
-  bool isInOtherAt(EdgeSides::Operand operand, std::size_t edge, std::size_t at) {
+  bool isInOtherAt(EdgeSides::Operand operand, EdgePosition edge, EdgePosition at) {
     if (const auto point = pointInOther(operand, edge)) return *point;
     return sides_.of(operand, edge).hasAnyAt(&EdgeSides::Piece::isInOther, at);
   }
-  bool meetBeside(EdgeSides::Operand operand, std::int32_t after, std::int32_t before) {
-    const auto edge = static_cast<std::size_t>(after), last = static_cast<std::size_t>(before);
+  bool meetBeside(EdgeSides::Operand operand, EdgePosition edge, EdgePosition last) {
     if (const auto point = pointInOther(operand, edge)) return *point;
-    const auto isAlong = [&](std::size_t e, int side) {
+    const auto isAlong = [&](EdgePosition e, int side) {
       const EdgeSides& sides = sides_.of(operand, e);
       return sides.hasAnyUntil(&EdgeSides::Piece::bordersBoth, met_[operand][e], side) ||
              sides.hasAnyUntil(&EdgeSides::Piece::isInOther, met_[operand][e], side);
@@ -82,13 +81,13 @@ class InnerCrossings {
     return isAlong(edge, 1) || isAlong(last, -1);
   }
   /// Whether a ring that is a point is in the interior of the other region; nothing for other rings.
-  std::optional<bool> pointInOther(EdgeSides::Operand operand, std::size_t edge) {
+  std::optional<bool> pointInOther(EdgeSides::Operand operand, EdgePosition edge) {
     if (!beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge)) return {};
     return isInInterior(pair_, operand, edge, sides_);
   }
 
   const PosedPair& pair_;
-  std::map<std::size_t, std::vector<std::size_t>> met_[2];  ///< by edge: the other polygon's edges that it meets
+  std::map<EdgePosition, std::vector<EdgePosition>> met_[2];  ///< by edge: the other polygon's edges that it meets
   KnownSides sides_;
 };
 

@@ -17,8 +17,8 @@ namespace tricover::detail {
 struct OutlinePiece {
   Ends edge;              ///< all of the edge
   Span on;                ///< the piece
-  std::int32_t side;      ///< whose edge it is: 0 is a, 1 is b
-  std::int32_t position;  ///< of the edge in the path
+  int side;               ///< whose edge it is: 0 is a, 1 is b
+  EdgePosition position;  ///< of the edge
   bool left, right;       ///< where the edge's own region is beside it
 
   Vec2 way() const { return edge.w - edge.v; }

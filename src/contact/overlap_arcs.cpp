@@ -47,7 +47,7 @@ std::size_t OverlapArcs::addNode(bool present) {
 
 void OverlapArcs::addOwnCrossings(int side) {
   addRepeatedVertices(side);
-  forEachOwnCrossing(sides_[side].polygon, [&](std::size_t e, std::size_t f) {
+  forEachOwnCrossing(sides_[side].polygon, [&](EdgePosition e, EdgePosition f) {
     addOwnCrossing(side, e, f);
     return true;
   });
@@ -71,7 +71,7 @@ void OverlapArcs::addRepeatedVertices(int side) {
 }
 
 /// Two nodes, where they cover each other: what is between needn't be in the overlap.
-void OverlapArcs::addOwnCrossing(int side, std::size_t e, std::size_t f) {
+void OverlapArcs::addOwnCrossing(int side, EdgePosition e, EdgePosition f) {
   Side& own = sides_[side];
   own.rings[own.polygon.ringOf(e)].meets_own = own.rings[own.polygon.ringOf(f)].meets_own = true;
   const Ends of_e = ends(side, e), of_f = ends(side, f);
@@ -160,7 +160,7 @@ bool OverlapArcs::joinedOnEdge(int side, const Stop& stop, const Stop& next, dou
 /// all.
 bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding) {
   const Side& own = sides_[side];
-  const std::size_t v = edgeAfter(own.polygon, stop.edge);
+  const EdgePosition v = edgeAfter(own.polygon, stop.edge);
   if (!winding.known) {
     const Inclusion found = includeVertex(side, v);
     if (found.location == Location::Boundary) return true;
@@ -173,7 +173,7 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
 }
 
 /// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
-Inclusion OverlapArcs::includeVertex(int side, std::size_t v) const {
+Inclusion OverlapArcs::includeVertex(int side, EdgePosition v) const {
   const PosedPair& pair = side == 0 ? swapped_ : pair_;
   const Inclusion found = includeInPolygon(pair.a, seenFromA(pair, pair.b.path[v]));
   return {found.location, isMirrored(pair.pose_a) ? -found.winding : found.winding};

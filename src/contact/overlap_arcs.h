@@ -21,7 +21,7 @@ struct Winding {
 
 /// Where a node is on a ring.
 struct Stop {
-  std::size_t edge;
+  EdgePosition edge;
   Span span;
   std::size_t node;
   /// By how much the other's winding number changes here; none if it may do anything, as where edges touch.
@@ -54,7 +54,7 @@ inline double somewhere(const Span& span) { return span.low + 0.4142 * (span.hig
 /// Vertices of a ring that lie in the other region, from one to another, all around.
 struct Arc {
   int side;
-  std::size_t from, to;
+  EdgePosition from, to;
   std::size_t node;
 };
 
@@ -81,8 +81,8 @@ class OverlapArcs {
   /// Along all rings; a polygon's own crossings join its arcs only if asked to.
   void join(bool with_own_crossings);
 
-  Vec2 vertex(int side, std::size_t v) const { return frame_.from(side, sides_[side].polygon.path[v]); }
-  Ends ends(int side, std::size_t e) const { return frame_.edgeEnds(side, e); }
+  Vec2 vertex(int side, EdgePosition v) const { return frame_.from(side, sides_[side].polygon.path[v]); }
+  Ends ends(int side, EdgePosition e) const { return frame_.edgeEnds(side, e); }
   bool holds(int side, const Vec2& p) const { return detail::holds(pair_, frame_, side, p); }
 
   /// Of a repeated vertex the last one stands for all.
@@ -90,8 +90,9 @@ class OverlapArcs {
   void forEachVertex(const Arc& arc, Visit visit) const {
     const PolygonData& polygon = sides_[arc.side].polygon;
     const Vec2* const path = &polygon.path[0];
-    const std::size_t ring = polygon.ringOf(arc.from), begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
-    for (std::size_t v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
+    const std::size_t ring = polygon.ringOf(arc.from);
+    const EdgePosition begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+    for (EdgePosition v = arc.from;; v = v + 1 < end ? v + 1 : begin) {
       if (path[v] != path[v + 1] || beginsPoint(polygon, v)) visit(v);
       if (v == arc.to) break;
     }
@@ -115,11 +116,11 @@ class OverlapArcs {
   std::pmr::vector<Arc> arcs_{&memory_};
 
  private:
-  Inclusion includeVertex(int side, std::size_t v) const;
+  Inclusion includeVertex(int side, EdgePosition v) const;
   std::size_t addNode(bool present);
   void addOwnCrossings(int side);
   void addRepeatedVertices(int side);
-  void addOwnCrossing(int side, std::size_t e, std::size_t f);
+  void addOwnCrossing(int side, EdgePosition e, EdgePosition f);
   void joinAlongRings(int side);
   void joinWhole(int side, std::size_t r);
   void joinArcs(int side, std::size_t begin, std::size_t end);

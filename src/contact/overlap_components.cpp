@@ -53,7 +53,7 @@ class Grouping : OverlapArcs {
 
   /// Of a common stretch of two edges the end on the left, beyond which they needn't be both.
   Vec2 leftEnd(const NodePoint& point) const {
-    if (point.side != NodePoint::kCrossing) return vertex(point.side, point.at);
+    if (point.side != NodePoint::kCrossing) return vertex(point.side, static_cast<EdgePosition>(point.at));
     const EdgeCrossing& crossing = crossings_[point.at];
     if (crossing.direction != 0) return crossing.point;
     const Vec2 low = frame_.edgeOfA(crossing.edge[0], crossing.on[0].low),
@@ -68,8 +68,8 @@ class Grouping : OverlapArcs {
       if (crossings_[point.at].direction != 0) return false;
     } else {
       const int side = point.side;
-      const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, point.at, at);
-      const auto edge = static_cast<std::size_t>(p.edge[side]), before = static_cast<std::size_t>(p.before[side]);
+      const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, static_cast<EdgePosition>(point.at), at);
+      const EdgePosition edge = p.edge[side], before = p.before[side];
       const Side& own = sides_[side];
       const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
@@ -89,7 +89,7 @@ class Grouping : OverlapArcs {
       Hit hit{-std::numeric_limits<double>::infinity(), -1};
       const double right = p.x() - 4 * frame_.error();
       for (const int side : {0, 1})
-        forEachEdgeOnRay(pair_, frame_, side, p, Vec2(-1, 0), length, [&](std::size_t edge) {
+        forEachEdgeOnRay(pair_, frame_, side, p, Vec2(-1, 0), length, [&](EdgePosition edge) {
           addHit(side, edge, p.y(), right, hit);
           return std::min(length, p.x() - hit.x);
         });
@@ -102,7 +102,7 @@ class Grouping : OverlapArcs {
     std::ptrdiff_t node;
   };
 
-  void addHit(int side, std::size_t edge, double y, double right, Hit& hit) const {
+  void addHit(int side, EdgePosition edge, double y, double right, Hit& hit) const {
     const auto [v, w] = ends(side, edge);
     if (y < std::min(v.y(), w.y()) || y > std::max(v.y(), w.y())) return;
     const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
@@ -114,7 +114,7 @@ class Grouping : OverlapArcs {
   }
 
   /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
-  std::ptrdiff_t nodeAt(int side, std::size_t edge, double t) const {
+  std::ptrdiff_t nodeAt(int side, EdgePosition edge, double t) const {
     const Side& own = sides_[side];
     const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
     if (ring.node >= 0 || ring.begin == ring.end) return ring.node;
@@ -133,8 +133,7 @@ class Grouping : OverlapArcs {
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       OverlapComponent& component = components[nodes_[k].component];
       const EdgeCrossing& c = crossings_[k];
-      const auto i = static_cast<std::int32_t>(c.edge[0]), j = static_cast<std::int32_t>(c.edge[1]);
-      if (wants_all) component.points.push_back({c.point, {i, j}, {i, j}});
+      if (wants_all) component.points.push_back({c.point, {c.edge[0], c.edge[1]}, {c.edge[0], c.edge[1]}});
       component.crossings.push_back(k);
     }
     for (const Arc& arc : arcs_) {
@@ -153,9 +152,9 @@ class Grouping : OverlapArcs {
     const Side& own = sides_[side];
     for (std::size_t r = 0; r < own.polygon.ringCount(); ++r) {
       const Side::RingStops& ring = own.rings[r];
-      const std::size_t begin = own.polygon.edgeBegin(r), end = own.polygon.edgeEnd(r);
+      const EdgePosition begin = own.polygon.edgeBegin(r), end = own.polygon.edgeEnd(r);
       if (ring.node >= 0)
-        for (std::size_t e = begin; e < end; ++e)
+        for (EdgePosition e = begin; e < end; ++e)
           addPiece(side, e, {0, 1}, nodes_[static_cast<std::size_t>(ring.node)].component, components);
       double reach = 0;  // stops may be within others
       for (std::size_t k = ring.begin; ring.node < 0 && k < ring.end; ++k) {
@@ -172,8 +171,8 @@ class Grouping : OverlapArcs {
           continue;
         }
         addPiece(side, stop.edge, {reach, 1}, component, components);
-        const auto after = [&](std::size_t e) { return e + 1 < end ? e + 1 : begin; };
-        for (std::size_t e = after(stop.edge); e != next.edge; e = after(e))
+        const auto after = [&](EdgePosition e) { return e + 1 < end ? e + 1 : begin; };
+        for (EdgePosition e = after(stop.edge); e != next.edge; e = after(e))
           addPiece(side, e, {0, 1}, component, components);
         addPiece(side, next.edge, {0, next.span.low}, component, components);
       }
@@ -227,7 +226,7 @@ class Grouping : OverlapArcs {
     if (share(true) || share(false)) common.insert(common.end(), {pieces[0], pieces[1]});
   }
 
-  void addPiece(int side, std::size_t edge, const Span& on, std::size_t component,
+  void addPiece(int side, EdgePosition edge, const Span& on, std::size_t component,
                 std::vector<OverlapComponent>& components) const {
     if (component == kNone || components[component].crossings.empty()) return;
     OutlinePiece piece;
@@ -236,9 +235,9 @@ class Grouping : OverlapArcs {
   }
 
   /// False if it is no longer than rounding.
-  bool makePiece(int side, std::size_t edge, const Span& on, OutlinePiece& piece) const {
+  bool makePiece(int side, EdgePosition edge, const Span& on, OutlinePiece& piece) const {
     const Ends all = ends(side, edge);
-    piece = {all, on, side, static_cast<std::int32_t>(edge), false, false};
+    piece = {all, on, side, edge, false, false};
     const double length = on.high > 0 ? piece.length() : piece.way().norm();
     if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
     const PolygonData& polygon = sides_[side].polygon;
@@ -269,17 +268,16 @@ class Grouping : OverlapArcs {
 
   void addVertices(const Arc& arc, std::vector<BoundaryPoint>& points) const {
     const int side = arc.side;
-    std::int32_t before = -1;
-    forEachVertex(arc, [&](std::size_t v) {
-      const auto edge = static_cast<std::int32_t>(v);
-      if (before < 0) {
+    EdgePosition before = kNoEdge;
+    forEachVertex(arc, [&](EdgePosition v) {
+      if (before == kNoEdge) {
         points.push_back(vertexPoint(sides_[side].polygon, side, v, vertex(side, v)));
       } else {
         BoundaryPoint& point = points.emplace_back(BoundaryPoint{vertex(side, v)});
-        point.edge[side] = edge;
+        point.edge[side] = v;
         point.before[side] = before;
       }
-      before = edge;
+      before = v;
     });
   }
 

@@ -12,13 +12,13 @@
 namespace tricover::detail {
 namespace {
 
-std::vector<std::size_t> hullCorners(const PolygonData& polygon) {
-  std::vector<std::size_t> vertices;
+std::vector<EdgePosition> hullCorners(const PolygonData& polygon) {
+  std::vector<EdgePosition> vertices;
   vertices.reserve(polygon.path.size());
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) vertices.push_back(e);
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) vertices.push_back(e);
   return convexHull(
-      std::move(vertices), [&](std::size_t i) -> const Vec2& { return polygon.path[i]; },
+      std::move(vertices), [&](EdgePosition i) -> const Vec2& { return polygon.path[i]; },
       [](const Vec2& p, const Vec2& q, const Vec2& r) { return orientation(p, q, r) > 0; });
 }
 
@@ -29,13 +29,13 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
     outline.corners = convexity.corners;
     if (!convexity.has_others) {
       outline.corners.resize(polygon.path.size() - 1);
-      std::iota(outline.corners.begin(), outline.corners.end(), std::size_t{0});
+      std::iota(outline.corners.begin(), outline.corners.end(), EdgePosition{0});
     }
     outline.forward = convexity.direction > 0;
     if (!outline.forward) std::reverse(outline.corners.begin(), outline.corners.end());
     const auto leftmost =
         std::min_element(outline.corners.begin(), outline.corners.end(),
-                         [&](std::size_t i, std::size_t j) { return isBefore(polygon.path[i], polygon.path[j]); });
+                         [&](EdgePosition i, EdgePosition j) { return isBefore(polygon.path[i], polygon.path[j]); });
     std::rotate(outline.corners.begin(), leftmost, outline.corners.end());
     outline.is_region = true;
   } else {
@@ -44,7 +44,7 @@ ConvexOutline makeOutline(const PolygonData& polygon) {
     outline.is_region = polygon.ringCount() == 1 && outline.corners.size() < 3;
   }
   outline.points.reserve(outline.corners.size() + 1);
-  for (const std::size_t corner : outline.corners) outline.points.push_back(polygon.path[corner]);
+  for (const EdgePosition corner : outline.corners) outline.points.push_back(polygon.path[corner]);
   outline.points.push_back(outline.points.front());
   return outline;
 }
@@ -57,14 +57,14 @@ const ConvexOutline& findConvexOutline(const PolygonData& polygon) {
   return *static_cast<const ConvexOutline*>(outline);
 }
 
-std::size_t pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k) {
-  std::size_t edge = outline.corners[k];
-  do edge = edge > 0 ? edge - 1 : polygon.path.size() - 2;
+EdgePosition pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k) {
+  EdgePosition edge = outline.corners[k];
+  do edge = (edge > 0 ? edge : polygon.edgeEnd(0)) - 1;
   while (polygon.path[edge] == polygon.path[edge + 1]);
   return edge;
 }
 
-std::size_t pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
+EdgePosition pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
   const std::size_t next = k + 1 < outline.corners.size() ? k + 1 : 0, first = outline.forward ? k : next;
   if (outline.corners.size() + 1 == polygon.path.size()) return outline.corners[first];  // all vertices are corners
   return edgeBeside(polygon, outline.corners[first], outline.corners[outline.forward ? next : k], p);

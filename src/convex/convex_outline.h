@@ -12,8 +12,8 @@ namespace tricover::detail {
 /// A convex polygon by its strictly convex corners, counter-clockwise in its own frame from the leftmost one on. Two of
 /// them are a line segment, one is a point.
 struct ConvexOutline : Derived::Thing {
-  std::vector<std::size_t> corners;  ///< positions in the path
-  std::vector<Vec2> points;          ///< where they are, the first once more at the end
+  std::vector<EdgePosition> corners;  ///< positions in the path
+  std::vector<Vec2> points;           ///< where they are, the first once more at the end
   bool is_region = false;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull
   bool forward = true;     ///< of a region: whether the path runs counter-clockwise
 };
@@ -28,9 +28,9 @@ inline const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
 
 /// The edge of a convex region's path that edge k of its outline is; of several, which straight vertices divide, the
 /// one nearest to p.
-std::size_t pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p);
+EdgePosition pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p);
 
 /// The edge of a convex region's path that leads to its corner k.
-std::size_t pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k);
+EdgePosition pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k);
 
 }  // namespace tricover::detail

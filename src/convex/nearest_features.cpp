@@ -132,8 +132,7 @@ class FeatureSearch {
   }
 
   bool prove(const ConvexGap& guess) {
-    const auto edge = static_cast<std::uint32_t>(guess.edge), vertex = static_cast<std::uint32_t>(guess.vertex);
-    return guess.of_a ? proveBeside<true>(edge, vertex) : proveBeside<false>(edge, vertex);
+    return guess.of_a ? proveBeside<true>(guess.edge, guess.vertex) : proveBeside<false>(guess.edge, guess.vertex);
   }
 
   bool prove(const FeaturePair& features) {
@@ -173,7 +172,7 @@ class FeatureSearch {
 
   /// Whether these are the support features, and the polygons are apart; and if they `may_be_unique`, whether they are.
   template <FeaturePair::Kind kKind>
-  [[gnu::always_inline]] bool proveSupports(std::uint32_t edge_a, std::uint32_t edge_b, const Foot& foot,
+  [[gnu::always_inline]] bool proveSupports(EdgePosition edge_a, EdgePosition edge_b, const Foot& foot,
                                             bool may_be_unique) {
     constexpr bool kVertices = kKind == FeaturePair::kVertices;
     const FeaturePair features{kKind, edge_a, edge_b};

@@ -14,15 +14,15 @@ namespace tricover::detail {
 struct FeaturePair {
   enum Kind : std::uint8_t { kNone, kEdgeOfA, kEdgeOfB, kVertices, kCrossing };
   Kind kind = kNone;  ///< of the first two: whose edge a vertex of the other is beside
-  std::uint32_t edge_a = 0, edge_b = 0;
+  EdgePosition edge_a = 0, edge_b = 0;
 };
 
 /// What separating axes prove of two convex polygons without straight vertices (cornersOf()).
 struct NearestFeatures {
-  bool are_apart = false;           ///< if not, nothing is proven: they may meet, or be too near to tell
-  bool seem_to_meet = false;        ///< as far as floats see
-  ConvexCrossing crossing{-1, -1};  ///< of small ones that do, a guess
-  bool were_tried = false;          ///< whether those to be tried first led here in a few steps
+  bool are_apart = false;     ///< if not, nothing is proven: they may meet, or be too near to tell
+  bool seem_to_meet = false;  ///< as far as floats see
+  ConvexCrossing crossing;    ///< of small ones that do, a guess
+  bool were_tried = false;    ///< whether those to be tried first led here in a few steps
 
   // Of polygons apart.
   FeaturePair features;

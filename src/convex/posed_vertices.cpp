@@ -12,7 +12,7 @@ PosedVertices::Twofold2 PosedVertices::twofoldWay(std::size_t at_a, std::size_t 
   return way;
 }
 
-double PosedVertices::distanceBeside(bool edge_of_a, bool at_end, std::size_t edge, std::size_t vertex,
+double PosedVertices::distanceBeside(bool edge_of_a, bool at_end, EdgePosition edge, std::size_t vertex,
                                      double scale) const {
   const std::size_t end = edge + (at_end ? 1 : 0);
   const Twofold2 w = edge_of_a ? twofoldWay(end, vertex, scale) : twofoldWay(vertex, end, scale);

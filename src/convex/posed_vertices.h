@@ -67,7 +67,7 @@ class PosedVertices : public PosedPair {
   struct Ends {
     Double2 a1, a2, b1, b2;
   };
-  Ends ends(std::size_t i, std::size_t j) const {
+  Ends ends(EdgePosition i, EdgePosition j) const {
     const Vec2 *p = a.path.data() + i, *q = b.path.data() + j;
     return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
             mapped(columns_b_, q[1]) + shift_};
@@ -77,7 +77,7 @@ class PosedVertices : public PosedPair {
   static constexpr double kRelativeError = 0x1p-47;
 
   template <bool kEdgeOfA>
-  Foot foot(std::size_t edge, std::size_t vertex) const {
+  Foot foot(EdgePosition edge, std::size_t vertex) const {
     const Vec2* path = (kEdgeOfA ? a : b).path.data();
     const Double2 along = load2(path[edge + 1].data()) - load2(path[edge].data());
     const Double2 u = mapped(kEdgeOfA ? columns_a_ : columns_b_, along), squares = u * u;
@@ -116,7 +116,7 @@ class PosedVertices : public PosedPair {
   /// How far a vertex that is certainly beside an edge, nearer to its end or its start, is from it, by two-fold numbers
   /// but for the last steps where the way from that end is no longer than kSteepest times the distance: see
   /// EdgeDistances. All lengths times `scale`.
-  double distanceBeside(bool edge_of_a, bool at_end, std::size_t edge, std::size_t vertex, double scale = 1) const;
+  double distanceBeside(bool edge_of_a, bool at_end, EdgePosition edge, std::size_t vertex, double scale = 1) const;
   static constexpr double kSteepest = 8.5;
 
  protected:

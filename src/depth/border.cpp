@@ -31,7 +31,7 @@ struct Borders : Derived::Thing {
 
   const PolygonData* region = nullptr;
   PolygonData* own = nullptr;
-  std::vector<std::size_t> edges;  ///< by the numbers of own edges: positions in the polygon
+  std::vector<EdgePosition> edges;  ///< by the numbers of own edges: positions in the polygon
 };
 
 }  // namespace
@@ -55,16 +55,17 @@ Polygon wallsOf(const Polygon& polygon) {
   const PolygonData* const region = withBordersOnly(polygon.data());
   std::vector<Ring> walls;
   if (region != nullptr)
-    forEachEdge(*region, [&](std::size_t edge) {
+    forEachEdge(*region, [&](EdgePosition edge) {
       walls.push_back({region->path[edge], region->path[edge + 1], region->path[edge + 1]});
       return true;
     });
   return Polygon(walls);
 }
 
-std::size_t givenEdge(const PolygonData& polygon, const PolygonData& region, std::size_t position) {
+EdgePosition givenEdge(const PolygonData& polygon, const PolygonData& region, EdgePosition position) {
   if (&region == &polygon) return position;
-  return hierarchyOf(polygon).borders.made<Borders>(polygon).edges[region.edgeNumber(position)];
+  return hierarchyOf(polygon).borders.made<Borders>(polygon).edges[static_cast<std::size_t>(
+      region.edgeNumber(position))];
 }
 
 }  // namespace tricover::detail

@@ -16,6 +16,6 @@ Polygon bordersOf(const Polygon& polygon);
 /// Its edges, each as a segment: a region without interior.
 Polygon wallsOf(const Polygon& polygon);
 /// The edge of the polygon that an edge of that region is a piece of, by their positions.
-std::size_t givenEdge(const PolygonData& polygon, const PolygonData& region, std::size_t position);
+EdgePosition givenEdge(const PolygonData& polygon, const PolygonData& region, EdgePosition position);
 
 }  // namespace tricover::detail

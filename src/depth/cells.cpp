@@ -47,15 +47,16 @@ const std::vector<Piece>& Cells::divide(const Piece& cell, bool is_large) {
 bool Cells::gatherNearest(const Piece& cell) { return gather(area_, cell, -cell.least, nearest_); }
 
 /// Finds edges within reach of a cell.
-bool Cells::gather(const PosedSide& side, const Piece& cell, double reach, std::vector<std::size_t>& edges) const {
+bool Cells::gather(const PosedSide& side, const Piece& cell, double reach, std::vector<EdgePosition>& edges) const {
   const std::size_t longest = longestSideOf(cell);
   const Vec2 center = centerOf(cell);
   const double farthest = reach + reachOf(cell, center);
   edges.clear();
-  side.forEachNear(cell.corner[longest], cell.corner[(longest + 1) % 3], reach + heightOf(cell), [&](std::size_t edge) {
-    if (side.distance(edge, center) <= farthest) edges.push_back(edge);
-    return edges.size() < kMostEdges;
-  });
+  side.forEachNear(cell.corner[longest], cell.corner[(longest + 1) % 3], reach + heightOf(cell),
+                   [&](EdgePosition edge) {
+                     if (side.distance(edge, center) <= farthest) edges.push_back(edge);
+                     return edges.size() < kMostEdges;
+                   });
   return edges.size() < kMostEdges;
 }
 
@@ -64,7 +65,7 @@ bool Cells::gather(const PosedSide& side, const Piece& cell, double reach, std::
 bool Cells::leadsAway() const {
   const std::vector<std::int8_t>& sides = regionSidesOf(area_.polygon).rings;
   OneSidedDirections normals;
-  for (const std::size_t edge : nearest_) {
+  for (const EdgePosition edge : nearest_) {
     const int side = sides[area_.polygon.ringOf(edge)] * (overlap_.is_outside ? 1 : -1) * (area_.isMirrored() ? -1 : 1);
     const Vec2 along = area_.vertex(edge + 1) - area_.vertex(edge);
     if (side == 0) return false;
@@ -77,7 +78,7 @@ bool Cells::leadsAway() const {
 /// The same by the directions from the nearest points of edges, none of which leads through the cell.
 bool Cells::leadsAwayFrom(const Piece& cell) const {
   OneSidedDirections directions;
-  for (const std::size_t edge : nearest_) {
+  for (const EdgePosition edge : nearest_) {
     bool is_known = false;
     for (const Vec2& corner : cell.corner) {
       const Vec2 way = corner - area_.foot(edge, corner);
@@ -90,11 +91,11 @@ bool Cells::leadsAwayFrom(const Piece& cell) const {
 
 /// An edge that leads through a cell's interior, if there is one: that whose line is nearest to the centre.
 std::optional<Ends> Cells::edgeAcross(const Piece& cell, const PosedSide& side,
-                                      const std::vector<std::size_t>& edges) const {
+                                      const std::vector<EdgePosition>& edges) const {
   const Vec2 center = centerOf(cell);
   std::optional<Ends> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::size_t edge : edges) {
+  for (const EdgePosition edge : edges) {
     const Ends ends{side.vertex(edge), side.vertex(edge + 1)};
     const double length = (ends.w - ends.v).norm();
     if (!leadsThrough(cell, ends, length)) continue;

@@ -30,10 +30,11 @@ class Cells {
 
  private:
   bool gatherNearest(const Piece& cell);
-  bool gather(const PosedSide& side, const Piece& cell, double reach, std::vector<std::size_t>& edges) const;
+  bool gather(const PosedSide& side, const Piece& cell, double reach, std::vector<EdgePosition>& edges) const;
   bool leadsAway() const;
   bool leadsAwayFrom(const Piece& cell) const;
-  std::optional<Ends> edgeAcross(const Piece& cell, const PosedSide& side, const std::vector<std::size_t>& edges) const;
+  std::optional<Ends> edgeAcross(const Piece& cell, const PosedSide& side,
+                                 const std::vector<EdgePosition>& edges) const;
   bool leadsThrough(const Piece& cell, const Ends& ends, double length) const;
   bool isFarFrom(const PosedSide& side, const Vec2& p) const { return side.nearest(p).distance > 4 * rounding_; }
   void cut(const Piece& cell, const std::optional<Ends>& edge);
@@ -42,7 +43,7 @@ class Cells {
   const Overlap& overlap_;
   const PosedSide &part_, &area_;
   const double rounding_;
-  std::vector<std::size_t> nearest_, part_edges_;  ///< of the area, and of the part, that are near a cell
+  std::vector<EdgePosition> nearest_, part_edges_;  ///< of the area, and of the part, that are near a cell
   std::vector<Piece> parts_;
 };
 

@@ -92,7 +92,7 @@ struct MovingContact::Posed {
       : pose_a(moving.a.motion->at(time)),
         pose_b(moving.b.motion->at(time)),
         pair(*moving.a.polygon, pose_a, *moving.b.polygon, pose_b) {}
-  /// Two edges within the margin; one of them, or both, -1 where there are none.
+  /// Two edges within the margin; one of them, or both, kNoEdge where there are none.
   Outcome edgesWithin(double margin) const { return collideByHierarchy(pair, {margin}, 0, Wanted::Edges); }
 
   const Pose pose_a, pose_b;
@@ -120,10 +120,10 @@ bool MovingContact::meetUntil(double time, double next) const {
 bool MovingContact::staysContained(double time, double next, double travel) const {
   const Posed posed(pair_, time);
   const Outcome held = posed.edgesWithin(0);
-  if (!held.collides || (held.edge_a >= 0 && held.edge_b >= 0)) return false;
+  if (!held.collides || (held.edge_a != kNoEdge && held.edge_b != kNoEdge)) return false;
   const TimeInterval interval(pair_, time, next);
   bool meet = false;
-  forEachPair(posed.pair, travel, [&](double, std::size_t edge_a, std::size_t edge_b) {
+  forEachPair(posed.pair, travel, [&](double, EdgePosition edge_a, EdgePosition edge_b) {
     meet = restOfEdges(interval, edge_a, edge_b).low <= 1;
     return meet ? -1 : travel;
   });
@@ -136,9 +136,9 @@ bool MovingContact::featuresStay(double time, double next) const {
   const TimeInterval interval(pair_, time, next);
   for (const double at : {time, next}) {
     const Outcome touch = Posed(pair_, at).edgesWithin(touch_margin_);
-    if (touch.edge_a < 0 || touch.edge_b < 0) continue;
-    const auto edge_a = static_cast<std::size_t>(touch.edge_a), edge_b = static_cast<std::size_t>(touch.edge_b);
-    if (endStaysBeside(interval, edge_a, edge_b) || edgesStayCrossed(interval, edge_a, edge_b)) return true;
+    if (touch.edge_a == kNoEdge || touch.edge_b == kNoEdge) continue;
+    if (endStaysBeside(interval, touch.edge_a, touch.edge_b) || edgesStayCrossed(interval, touch.edge_a, touch.edge_b))
+      return true;
   }
   return false;
 }

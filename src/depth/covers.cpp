@@ -24,13 +24,12 @@ Polygon edgesOf(const std::vector<PosedPair>& part_and_areas, const Vec2& from) 
   return Polygon(rings);
 }
 
-/// The position in the first area of an edge of all areas; -1 for another area's. Vertices that rounding makes one keep
-/// their numbers, not their positions.
-std::ptrdiff_t positionIn(const PolygonData& first, const PolygonData& all, std::size_t position) {
+/// The edge of the first area that is one of all areas; kNoEdge for another area's. Vertices that rounding makes one
+/// keep their numbers, not their positions.
+EdgePosition positionIn(const PolygonData& first, const PolygonData& all, EdgePosition position) {
   const std::size_t ring = all.ringOf(position);
-  if (ring >= first.ringCount()) return -1;
-  return static_cast<std::ptrdiff_t>(first.edgeBegin(ring) + static_cast<std::size_t>(all.edgeName(position)) -
-                                     all.firstNumber(ring));
+  if (ring >= first.ringCount()) return kNoEdge;
+  return first.edgeBegin(ring) + static_cast<EdgePosition>(all.edgeName(position) - all.firstNumber(ring));
 }
 
 bool excludes(const PosedPair& pair, const Vec2& p) {
@@ -57,8 +56,8 @@ DeepestPoint excessOfUnion(const std::vector<PosedPair>& part_and_areas, double 
   };
   const Overlap overlap(part, part_and_areas[0].pose_a, {edges.data(), pose, false, isExcluded});
   DeepestPoint found = findDeepestPoint(overlap, false, 0, enough);
-  if (found.nearest_edge >= 0)
-    found.nearest_edge = positionIn(part_and_areas[0].b, edges.data(), static_cast<std::size_t>(found.nearest_edge));
+  if (found.nearest_edge != kNoEdge)
+    found.nearest_edge = positionIn(part_and_areas[0].b, edges.data(), found.nearest_edge);
   return found;
 }
 

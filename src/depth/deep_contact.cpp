@@ -18,15 +18,15 @@ namespace {
 /// From an edge of a region that has its inside on one side of each alone; and from the next one, at their vertex.
 std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact& touch, double precision) {
   const PolygonData& data = region.data();
-  const std::size_t edge = data.edgePosition(static_cast<std::size_t>(touch.edge_a));
+  const EdgePosition edge = data.edgePosition(touch.edge_a);
   std::vector<Vec2> normals;
-  const auto add = [&](std::size_t position) {
+  const auto add = [&](EdgePosition position) {
     const Vec2 along = pose.linear() * (data.path[position + 1] - data.path[position]);
     const double side = regionSidesOf(data).rings[data.ringOf(position)] * (isMirrored(pose) ? -1 : 1);
     normals.push_back((side * Vec2(along.y(), -along.x())).stableNormalized());
   };
   add(edge);
-  const auto isAt = [&](std::size_t position) {
+  const auto isAt = [&](EdgePosition position) {
     return (pose * data.path[position] - touch.point).stableNorm() <= precision;
   };
   if (isAt(edge + 1)) add(edgeAfter(data, edge));

@@ -72,7 +72,7 @@ class DepthSearch {
  private:
   /// A convex function, no less than how far a point outside of the area is from that. From an edge; of a convex region
   /// the depth behind the edge's line.
-  double distance(std::size_t edge, const Vec2& p) const {
+  double distance(EdgePosition edge, const Vec2& p) const {
     if (!is_concave_) return area_.distance(edge, p);
     const Vec2 v = area_.vertex(edge), along = area_.vertex(edge + 1) - v;
     const double length = along.norm();
@@ -93,13 +93,13 @@ class DepthSearch {
   }
 
   /// Returns whether it is the deepest one so far.
-  bool offer(const Vec2& point, const PosedSide::Near& near, std::ptrdiff_t edge) {
+  bool offer(const Vec2& point, const PosedSide::Near& near, EdgePosition edge) {
     if (!(-near.distance < search_.upper) || !(near.distance > best_.distance)) return false;
     best_.distance = near.distance;
     best_.point = point;
     best_.nearest = near.point;
     best_.edge = edge;
-    best_.nearest_edge = static_cast<std::ptrdiff_t>(near.edge);
+    best_.nearest_edge = near.edge;
     search_.upper = -near.distance;
     return true;
   }
@@ -108,8 +108,8 @@ class DepthSearch {
 
   void addArc(const InnerArc& arc) {
     Piece chain{-kInfinity, 0, arc.is_known, arc.from, arc.to, arc.from};
-    for (const std::ptrdiff_t met : arc.met)
-      if (met >= 0) chain.addEdge(static_cast<std::size_t>(met));
+    for (const EdgePosition met : arc.met)
+      if (met != kNoEdge) chain.addEdge(met);
     pushChain(chain);
   }
 
@@ -145,14 +145,12 @@ class DepthSearch {
     }
   }
 
-  std::ptrdiff_t edgeAt(const Piece& piece, std::size_t at) const {
-    return static_cast<std::ptrdiff_t>(arcs_.edges[std::min(at, piece.to - 1)]);
-  }
+  EdgePosition edgeAt(const Piece& piece, std::size_t at) const { return arcs_.edges[std::min(at, piece.to - 1)]; }
 
   enum class Look { NewEdge, Deepest, NothingNew, InArea };
   /// Looks at a point of a chain or an edge: which edge of the area is the nearest? An arc that is in the area at a
   /// point away from the borders is there as a whole.
-  Look look(Piece& piece, const Vec2& point, std::ptrdiff_t edge) {
+  Look look(Piece& piece, const Vec2& point, EdgePosition edge) {
     const PosedSide::Near near = area_.nearest(point);
     if (!piece.is_known && near.distance > 4 * frame_.error()) {
       piece.is_known = cells_.isOutsideOfArea(point);
@@ -180,7 +178,7 @@ class DepthSearch {
   void bound(Piece& simplex) {
     const auto corners = static_cast<std::size_t>(simplex.corners);
     Peak peak(corners);
-    std::array<std::pair<OfCorners, std::size_t>, Peak::kMost> known;
+    std::array<std::pair<OfCorners, EdgePosition>, Peak::kMost> known;
     for (std::size_t k = 0; k < simplex.edge_count; ++k) {
       OfCorners distances{};
       for (std::size_t c = 0; c < corners; ++c) distances[c] = distance(simplex.edges[k], simplex.corner[c]);
@@ -215,7 +213,7 @@ class DepthSearch {
 
   void expandEdge(Piece& edge) {
     const Vec2 place = edge.place;
-    const Look found = look(edge, place, static_cast<std::ptrdiff_t>(arcs_.edges[edge.from]));
+    const Look found = look(edge, place, arcs_.edges[edge.from]);
     if (found == Look::InArea) return;
     if (found != Look::NothingNew && ++edge.looks < kMostLooks) {
       bound(edge);
@@ -288,7 +286,7 @@ class DepthSearch {
     if (!is_outside && near.distance > reach) return;
     const bool is_in_part = part_.locate(place) != Location::Outside;
     if (!is_in_part && part_.nearest(place).distance > reach) return;
-    const bool is_deepest = is_outside && is_in_part && offer(place, near, -1);
+    const bool is_deepest = is_outside && is_in_part && offer(place, near, kNoEdge);
     cell.least = std::max(cell.least, (is_outside ? -near.distance : near.distance) - reach);
     const bool is_new = cell.addEdge(near.edge);
     bound(cell);

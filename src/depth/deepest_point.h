@@ -36,12 +36,12 @@ struct Overlap {
   const InnerArcs arcs[2];  ///< by side
 };
 
-/// The point of a part that is farthest from an area, in the world. Edges are positions, or -1.
+/// The point of a part that is farthest from an area, in the world. An edge may be kNoEdge.
 struct DeepestPoint {
   double distance = 0;
   Vec2 point = Vec2::Zero(), nearest = Vec2::Zero();
   Vec2 way = Vec2::UnitX();  ///< from the point to the nearest one, of length 1
-  std::ptrdiff_t edge = -1, nearest_edge = -1;
+  EdgePosition edge = kNoEdge, nearest_edge = kNoEdge;
   double upper_bound = 0;
 };
 

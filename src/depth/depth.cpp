@@ -30,10 +30,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Above what lengths lose near the least double.
 constexpr double kLeast = 0x1p-1060;
 
-EdgeIndex nameOf(const PolygonData& polygon, std::ptrdiff_t position) {
-  return position < 0 ? -1 : polygon.edgeName(static_cast<std::size_t>(position));
-}
-
 Depth noDepth() { return {0, Vec2::UnitX(), Vec2::Zero(), Vec2::Zero(), -1, -1, false, 0}; }
 
 /// Of convex regions no point is deeper than the shortest translation is long. So that is the depth, where the corner
@@ -57,7 +53,7 @@ std::optional<Depth> depthOfConvex(const PosedPair& pair, double beside, double*
     // Corners beside it may be as deep.
     const auto& ring = other.ring.ring;
     for (const std::uint32_t k : {face.deepest, ring.next(face.deepest), ring.previous(face.deepest)}) {
-      const std::size_t corner = other.outline.corners[k];
+      const EdgePosition corner = other.outline.corners[k];
       const Vec2 point = frame.from(1 - own, other.polygon.path[corner]);
       const PosedSide::Near near = region.nearest(point);
       const double depth = near.distance * frame.unit();
@@ -101,10 +97,10 @@ Depth depthBetween(const PolygonData& a, const Pose& pose_a, const PolygonData& 
     result.point_b = result.is_point_of_a ? deepest.nearest : deepest.point;
     result.normal = result.is_point_of_a ? Vec2(-deepest.way) : deepest.way;
     const auto nearest = [&](const PolygonData& polygon, const PolygonData& region) {
-      return polygon.edgeName(givenEdge(polygon, region, static_cast<std::size_t>(deepest.nearest_edge)));
+      return polygon.edgeName(givenEdge(polygon, region, deepest.nearest_edge));
     };
-    result.edge_a = result.is_point_of_a ? nameOf(a, deepest.edge) : nearest(a, *in_a);
-    result.edge_b = result.is_point_of_a ? nearest(b, *in_b) : nameOf(b, deepest.edge);
+    result.edge_a = result.is_point_of_a ? a.edgeName(deepest.edge) : nearest(a, *in_a);
+    result.edge_b = result.is_point_of_a ? nearest(b, *in_b) : b.edgeName(deepest.edge);
   }
   return result;
 }
@@ -166,8 +162,8 @@ Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, c
   return {std::max(found.distance, least),
           found.point,
           found.nearest,
-          detail::nameOf(of_part, found.edge),
-          detail::nameOf(of_area, found.nearest_edge),
+          of_part.edgeName(found.edge),
+          of_area.edgeName(found.nearest_edge),
           std::max(found.upper_bound, least)};
 }
 

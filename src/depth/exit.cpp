@@ -29,10 +29,10 @@ std::vector<Ring> wallsAround(const Polygon& part, const Pose& pose, const std::
   KnownSides sides(PosedRegions(pairsOf(part, pose, areas)));
   std::vector<Ring> walls;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const auto at = [&](std::size_t position) {
+    const auto at = [&](EdgePosition position) {
       return Vec2(areas[i].pose.linear() * areas[i].polygon.path[position] + (areas[i].pose.translation() - from));
     };
-    forEachEdge(areas[i].polygon, [&](std::size_t edge) {
+    forEachEdge(areas[i].polygon, [&](EdgePosition edge) {
       const Vec2 v = at(edge), w = at(edge + 1);
       for (const EdgeSides::Piece& piece : sides.of(i + 1, edge).pieces())
         if (piece.isBoundary()) {

@@ -11,9 +11,9 @@ namespace {
 
 /// Where a ring meets an edge of the other polygon.
 struct RingStop {
-  std::size_t edge;
+  EdgePosition edge;
   double at;
-  std::size_t other;
+  EdgePosition other;
   int change;  ///< of the other's winding number; 0 if it may be anything
 };
 
@@ -36,7 +36,7 @@ class Collector {
         result_(result) {}
 
   void addRing(std::size_t ring, const RingStop* begin, const RingStop* end) {
-    const std::size_t first = own_.edgeBegin(ring), last = own_.edgeEnd(ring);
+    const EdgePosition first = own_.edgeBegin(ring), last = own_.edgeEnd(ring);
     if (begin == end) return addWhole(first, last);
     KnownWinding winding;
     const RingStop* stop = end - 1;
@@ -48,31 +48,31 @@ class Collector {
   }
 
  private:
-  void addWhole(std::size_t first, std::size_t last) {
+  void addWhole(EdgePosition first, EdgePosition last) {
     const KnownWinding winding = windingAt(first);
     if (winding.is_known && !isSought(winding)) return;
     begin();
-    for (std::size_t v = first; v <= last; ++v) add(vertex(v), v);
-    end(winding.is_known, -1, -1);
+    for (EdgePosition v = first; v <= last; ++v) add(vertex(v), v);
+    end(winding.is_known, kNoEdge, kNoEdge);
   }
 
-  void addArc(const RingStop& stop, const RingStop& next, bool on_one_edge, std::size_t first, std::size_t last,
+  void addArc(const RingStop& stop, const RingStop& next, bool on_one_edge, EdgePosition first, EdgePosition last,
               KnownWinding& winding) {
-    const auto after = [&](std::size_t v) { return v + 1 < last ? v + 1 : first; };
+    const auto after = [&](EdgePosition v) { return v + 1 < last ? v + 1 : first; };
     if (!on_one_edge && !winding.is_known) winding = windingAt(after(stop.edge));
     if (winding.is_known && !isSought(winding)) return;
     begin();
     add(on(stop), stop.edge);
     if (!on_one_edge) {
-      std::size_t v = after(stop.edge);
+      EdgePosition v = after(stop.edge);
       add(vertex(v), v);
       for (; v != next.edge; add(vertex(v), v)) v = after(v);
     }
     add(on(next), next.edge);
-    end(winding.is_known, static_cast<std::ptrdiff_t>(stop.other), static_cast<std::ptrdiff_t>(next.other));
+    end(winding.is_known, stop.other, next.other);
   }
 
-  KnownWinding windingAt(std::size_t v) const {
+  KnownWinding windingAt(EdgePosition v) const {
     if (!has_windings_) return {};
     const Inclusion found = includeInPolygon(pair_.a, seenFromA(pair_, own_.path[v]));
     if (found.location == Location::Boundary) return {};
@@ -80,18 +80,18 @@ class Collector {
   }
   bool isSought(const KnownWinding& winding) const { return isInside(pair_.a.fill, winding.number) == wants_inside_; }
 
-  Vec2 vertex(std::size_t v) const { return frame_.from(side_, own_.path[v]); }
+  Vec2 vertex(EdgePosition v) const { return frame_.from(side_, own_.path[v]); }
   Vec2 on(const RingStop& stop) const {
     const Vec2 v = vertex(stop.edge), w = vertex(stop.edge + 1);
     return stop.at < 0.5 ? Vec2(v + stop.at * (w - v)) : Vec2(w - (1 - stop.at) * (w - v));
   }
 
   void begin() { from_ = result_.points.size(); }
-  void add(const Vec2& point, std::size_t edge) {
+  void add(const Vec2& point, EdgePosition edge) {
     result_.points.push_back(point);
     result_.edges.push_back(edge);
   }
-  void end(bool is_known, std::ptrdiff_t met, std::ptrdiff_t met_last) {
+  void end(bool is_known, EdgePosition met, EdgePosition met_last) {
     result_.arcs.push_back({from_, result_.points.size() - 1, is_known, {met, met_last}});
   }
 

@@ -12,8 +12,8 @@ namespace tricover::detail {
 struct InnerArc {
   /// Points [from, to] of InnerArcs::points.
   std::size_t from, to;
-  bool is_known;          ///< whether the arc is certainly there; otherwise it may be
-  std::ptrdiff_t met[2];  ///< the other polygon's edges that it meets at its ends; -1 for a ring
+  bool is_known;        ///< whether the arc is certainly there; otherwise it may be
+  EdgePosition met[2];  ///< the other polygon's edges that it meets at its ends; kNoEdge for a ring
 };
 
 /// The arcs of one side's rings that are, or may be, where the other side's polygon has its inside (or its outside).
@@ -23,8 +23,8 @@ struct InnerArcs {
   InnerArcs(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings, int side,
             bool wants_inside, bool has_windings);
 
-  std::vector<Vec2> points;        ///< in the WorldFrame
-  std::vector<std::size_t> edges;  ///< positions: that from point i to point i + 1
+  std::vector<Vec2> points;         ///< in the WorldFrame
+  std::vector<EdgePosition> edges;  ///< positions: that from point i to point i + 1
   std::vector<InnerArc> arcs;
 };
 

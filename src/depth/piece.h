@@ -15,19 +15,19 @@ namespace tricover::detail {
 struct Piece {
   bool operator<(const Piece& other) const { return least > other.least; }
 
-  double least;                                     ///< minus the upper bound of distances in it
-  int corners;                                      ///< 2 or 3; 0 for a chain
-  bool is_known = true;                             ///< whether it is certainly outside of the area
-  std::size_t from = 0, to = 0;                     ///< a chain's points; an edge is `from`
-  std::size_t at = 0;                               ///< the chain's point to look at next
-  std::array<Vec2, 3> corner = {};                  ///< a simplex'
-  Vec2 place = Vec2::Zero();                        ///< the place in it to look at next
-  std::array<std::size_t, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
+  double least;                                      ///< minus the upper bound of distances in it
+  int corners;                                       ///< 2 or 3; 0 for a chain
+  bool is_known = true;                              ///< whether it is certainly outside of the area
+  std::size_t from = 0, to = 0;                      ///< a chain's points; an edge is `from`
+  std::size_t at = 0;                                ///< the chain's point to look at next
+  std::array<Vec2, 3> corner = {};                   ///< a simplex'
+  Vec2 place = Vec2::Zero();                         ///< the place in it to look at next
+  std::array<EdgePosition, Peak::kMost> edges = {};  ///< of the area, some that are near, the lowest at the place first
   std::size_t edge_count = 0;
   int looks = 0;  ///< at its peak, since it was cut
 
   /// Returns whether it is another one. If there are too many, the one that bounds least at the place goes.
-  bool addEdge(std::size_t edge) {
+  bool addEdge(EdgePosition edge) {
     for (std::size_t k = 0; k < edge_count; ++k)
       if (edges[k] == edge) return false;
     if (edge_count < edges.size()) ++edge_count;

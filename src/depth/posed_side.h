@@ -25,19 +25,19 @@ class PosedSide {
 
   Vec2 center() const { return frame_.from(side_, polygon.origin); }
   bool isMirrored() const { return detail::isMirrored(poseOf(pair_, side_)); }
-  Vec2 vertex(std::size_t position) const { return frame_.from(side_, polygon.path[position]); }
-  Vec2 foot(std::size_t edge, const Vec2& p) const { return nearestOnSegment(p, vertex(edge), vertex(edge + 1)); }
-  double distance(std::size_t edge, const Vec2& p) const { return (foot(edge, p) - p).norm(); }
+  Vec2 vertex(EdgePosition position) const { return frame_.from(side_, polygon.path[position]); }
+  Vec2 foot(EdgePosition edge, const Vec2& p) const { return nearestOnSegment(p, vertex(edge), vertex(edge + 1)); }
+  double distance(EdgePosition edge, const Vec2& p) const { return (foot(edge, p) - p).norm(); }
   Location locate(const Vec2& p) const { return locateInPolygon(polygon, IncludedPoint::ofFrame(toLocal(p))); }
 
   struct Near {
     double distance;
-    std::size_t edge;
+    EdgePosition edge;
     Vec2 point;
   };
   Near nearest(const Vec2& p) const {
     Near best{std::numeric_limits<double>::infinity(), polygon.edgeBegin(0), p};
-    const auto offer = [&](std::size_t edge) {
+    const auto offer = [&](EdgePosition edge) {
       const Vec2 at = foot(edge, p);
       if (const double distance = (at - p).norm(); distance < best.distance) best = {distance, edge, at};
       return true;

@@ -21,13 +21,13 @@ DistanceResult leastDistance(const PosedVertices& pair, const NearestFeatures& n
 
 DistanceResult resultOf(const PosedVertices& pair, const NearestFeatures& nearest, const DistanceQuery& options) {
   if (!nearest.is_unique) return leastDistance(pair, nearest, options);
-  const std::size_t i = nearest.features.edge_a, j = nearest.features.edge_b;
+  const EdgePosition i = nearest.features.edge_a, j = nearest.features.edge_b;
   const EdgeDistance distance = EdgeDistances::ofFeatures(pair, nearest.features, nearest.foot, options);
   return plainResultOf(pair, distance, false, i, j, options);
 }
 
 /// Whether two edges share a point, which is certain, and where.
-bool meet(const PosedVertices& pair, std::size_t i, std::size_t j, EdgeDistance& point) {
+bool meet(const PosedVertices& pair, EdgePosition i, EdgePosition j, EdgeDistance& point) {
   if (EdgeDistances::cross(pair, i, j, point)) return true;
   const EdgeDistances edges(pair);
   if (!edges.meet(i, j)) return false;
@@ -54,14 +54,14 @@ bool convexDistance(const PosedVertices& pair, DistanceHint* hint, const Distanc
       result = resultOf(pair, nearest, options);
       return true;
     }
-    const int edge_a = nearest.crossing.edge_a, edge_b = nearest.crossing.edge_b;
-    if (!nearest.seem_to_meet || (edge_a < 0 && edge_b < 0)) return false;
-    if (edge_a < 0 || edge_b < 0) {
+    const EdgePosition edge_a = nearest.crossing.edge_a, edge_b = nearest.crossing.edge_b;
+    if (!nearest.seem_to_meet || (edge_a == kNoEdge && edge_b == kNoEdge)) return false;
+    if (edge_a == kNoEdge || edge_b == kNoEdge) {
       store(false, {});
       result = containedResult(pair, edge_a, edge_b);
       return true;
     }
-    edges = {FeaturePair::kCrossing, static_cast<std::uint32_t>(edge_a), static_cast<std::uint32_t>(edge_b)};
+    edges = {FeaturePair::kCrossing, edge_a, edge_b};
     if (!meet(pair, edges.edge_a, edges.edge_b, point)) return false;
   }
   store(was_right, edges);

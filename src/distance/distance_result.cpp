@@ -15,7 +15,7 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// Rounded as a posed vertex is. What could overflow on the way is made smaller first.
-Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
+Vec2 worldPoint(const PolygonData& polygon, const Pose& pose, EdgePosition edge, double along) {
   const Double2 shift = absolute(load2(pose.data() + 6));
   if (polygon.extent < 0x1p1000 && shift[0] + shift[1] < 0x1p1000) return plainPoint(polygon, pose, edge, along);
   constexpr double kScale = 0x1p-4;
@@ -52,8 +52,8 @@ DistanceResult farResult() {
   return {std::numeric_limits<double>::infinity(), none, none, -1, -1};
 }
 
-DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
-                        std::size_t j, const DistanceQuery& options) {
+DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, EdgePosition i,
+                        EdgePosition j, const DistanceQuery& options) {
   const double distance = beyondMargin(pair, nearest.distance, options.margin);
   if (!(distance <= options.limit) && !isWithinLimit(pair, nearest.distance, options)) return farResult();
   const Vec2 point_a = worldPoint(pair.a, pair.pose_a, i, nearest.along_a);
@@ -62,12 +62,10 @@ DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, 
                         pair.b.edgeName(j));
 }
 
-DistanceResult containedResult(const PosedVertices& pair, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
-  const bool in_b = edge_a >= 0;
-  const auto edge = static_cast<std::size_t>(in_b ? edge_a : edge_b);
-  const Vec2 point = in_b ? worldPoint(pair.a, pair.pose_a, edge, 0) : worldPoint(pair.b, pair.pose_b, edge, 0);
-  const auto number = (in_b ? pair.a : pair.b).edgeName(edge);
-  return inCallersOrder(pair, 0, point, point, in_b ? number : -1, in_b ? -1 : number);
+DistanceResult containedResult(const PosedVertices& pair, EdgePosition edge_a, EdgePosition edge_b) {
+  const Vec2 point =
+      edge_a != kNoEdge ? worldPoint(pair.a, pair.pose_a, edge_a, 0) : worldPoint(pair.b, pair.pose_b, edge_b, 0);
+  return inCallersOrder(pair, 0, point, point, pair.a.edgeName(edge_a), pair.b.edgeName(edge_b));
 }
 
 }  // namespace tricover::detail

@@ -17,7 +17,7 @@ inline Vec2 posed(const Pose& pose, const Vec2& p) {
 }
 
 /// A point of an edge in the world, rounded as a posed vertex is; of what is neither large nor far from the origin.
-inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t edge, double along) {
+inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, EdgePosition edge, double along) {
   const Double2 v = load2(polygon.path[edge].data()), w = load2(polygon.path[edge + 1].data());
   Vec2 point;
   store2(point.data(), along == 0 ? v : along == 1 ? w : v + along * (w - v));
@@ -29,7 +29,7 @@ inline Vec2 plainPoint(const PolygonData& polygon, const Pose& pose, std::size_t
 double beyondMargin(const PosedVertices& pair, double distance, double margin);
 
 inline DistanceResult inCallersOrder(const PosedVertices& pair, double distance, const Vec2& point_a,
-                                     const Vec2& point_b, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
+                                     const Vec2& point_b, EdgeIndex edge_a, EdgeIndex edge_b) {
   if (pair.is_swapped) return {distance, point_b, point_a, edge_b, edge_a};
   return {distance, point_a, point_b, edge_a, edge_b};
 }
@@ -41,12 +41,12 @@ DistanceResult farResult();
 DistanceResult distanceInOrder(const PosedVertices& pair, const DistanceQuery& options);
 
 /// Of edges i and j, where they are nearest; or their common point, if they meet.
-DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
-                        std::size_t j, const DistanceQuery& options);
+DistanceResult resultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, EdgePosition i,
+                        EdgePosition j, const DistanceQuery& options);
 
 /// The same of what is unscaled (PosedVertices::isUnscaled()): neither large nor far from the origin.
-inline DistanceResult plainResultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, std::size_t i,
-                                    std::size_t j, const DistanceQuery& options) {
+inline DistanceResult plainResultOf(const PosedVertices& pair, const EdgeDistance& nearest, bool meets, EdgePosition i,
+                                    EdgePosition j, const DistanceQuery& options) {
   const bool is_within = options.margin > 0 && !(EdgeDistances::below(nearest.distance) > options.margin);
   const double distance = nearest.distance - options.margin;
   if (is_within || !(distance <= options.limit)) return resultOf(pair, nearest, meets, i, j, options);
@@ -55,7 +55,7 @@ inline DistanceResult plainResultOf(const PosedVertices& pair, const EdgeDistanc
   return inCallersOrder(pair, distance, point_a, point_b, pair.a.edgeName(i), pair.b.edgeName(j));
 }
 
-/// Where a ring lies inside the other region: given by an edge of it, the other one is -1.
-DistanceResult containedResult(const PosedVertices& pair, std::ptrdiff_t edge_a, std::ptrdiff_t edge_b);
+/// Where a ring lies inside the other region: given by an edge of it, the other one is kNoEdge.
+DistanceResult containedResult(const PosedVertices& pair, EdgePosition edge_a, EdgePosition edge_b);
 
 }  // namespace tricover::detail

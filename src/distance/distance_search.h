@@ -14,7 +14,7 @@ namespace tricover::detail {
 
 /// A pair of edges that was shown to a search.
 struct ShownPair {
-  std::uint32_t i = UINT32_MAX, j = UINT32_MAX;
+  EdgePosition i = kNoEdge, j = kNoEdge;
   double low = 0;  ///< a lower bound of what EdgeDistances::at() says of it
 };
 
@@ -81,7 +81,7 @@ class DistanceSearch {
 
   bool meets() const { return meets_; }
   /// The pair that meets or proves upper(), if there is one.
-  const ShownPair* nearest() const { return nearest_.i != UINT32_MAX ? &nearest_ : nullptr; }
+  const ShownPair* nearest() const { return nearest_.i != kNoEdge ? &nearest_ : nullptr; }
 
   // The answer.
   const EdgeDistance& best() const { return best_; }

@@ -71,7 +71,7 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
   unsure_ = kProductError * size_ * size_;
 }
 
-EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
+EdgeDistances::View EdgeDistances::view(EdgePosition i, EdgePosition j) const {
   const Ends e = ends(i, j);
   View v;
   const auto put = [&v](const Beside& side, int k) {
@@ -92,7 +92,7 @@ EdgeDistances::View EdgeDistances::view(std::size_t i, std::size_t j) const {
   return v;
 }
 
-bool EdgeDistances::meet(std::size_t i, std::size_t j) const {
+bool EdgeDistances::meet(EdgePosition i, EdgePosition j) const {
   return edgesMeet(PosedPair(a, pose_a, b, pose_b), i, j);
 }
 
@@ -101,7 +101,7 @@ double EdgeDistances::mostSquare(const View& v) const {
   return roundedUp<6>(most * most);  // a root, a product and a sum, twice, and the square
 }
 
-std::uint64_t EdgeDistances::featureOf(const View& v, std::size_t i, std::size_t j) const {
+std::uint64_t EdgeDistances::featureOf(const View& v, EdgePosition i, EdgePosition j) const {
   const double most = mostSquare(v);
   std::uint64_t feature = 0;
   for (int k = 0; k < combinations(); ++k) {
@@ -127,7 +127,7 @@ double EdgeDistances::allowed(double distance, const DistanceQuery& options) con
   return is_allowed ? rounded : 0;
 }
 
-EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, const DistanceQuery& options,
+EdgeDistance EdgeDistances::at(const View& v, EdgePosition i, EdgePosition j, const DistanceQuery& options,
                                double least) const {
   const int nearest = v.nearest;
   if (const double rounded = allowed(v.distance, options); rounded > 0)
@@ -143,7 +143,7 @@ EdgeDistance EdgeDistances::at(const View& v, std::size_t i, std::size_t j, cons
   return best;
 }
 
-bool EdgeDistances::cross(const PosedVertices& vertices, std::size_t i, std::size_t j, EdgeDistance& point) {
+bool EdgeDistances::cross(const PosedVertices& vertices, EdgePosition i, EdgePosition j, EdgeDistance& point) {
   const Ends e = vertices.ends(i, j);
   const double unsure = kProductError * vertices.size() * vertices.size();
   const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
@@ -193,7 +193,7 @@ static_assert(1024 >= 400 + 100 * kRoot2 + 3 * 32 + 3 * 16);
 
 EdgeDistance EdgeDistances::ofCloseFeatures(const PosedVertices& vertices, const FeaturePair& features,
                                             const Foot& foot, double part, const DistanceQuery& options) {
-  const std::size_t i = features.edge_a, j = features.edge_b;
+  const EdgePosition i = features.edge_a, j = features.edge_b;
   const bool are_vertices = features.kind == FeaturePair::kVertices, edge_of_a = features.kind != FeaturePair::kEdgeOfB;
   const int k = edge_of_a ? 0 : 2;
   const bool allows_error = options.relative_error > 0 || options.absolute_error > 0;
@@ -205,10 +205,9 @@ EdgeDistance EdgeDistances::ofCloseFeatures(const PosedVertices& vertices, const
   return d >= kLeastShare * vertices.size() ? placed(k, d, part) : EdgeDistances(vertices).exactCombination(k, i, j);
 }
 
-EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, std::size_t j, double least) const {
+EdgeDistance EdgeDistances::combination(int k, const View& view, EdgePosition i, EdgePosition j, double least) const {
   const bool end_of_b = k < 2;
-  const std::size_t end = static_cast<std::size_t>(k % 2), edge = end_of_b ? i : j,
-                    vertex = end_of_b ? j + end : i + end;
+  const EdgePosition end = k % 2 == 0 ? 0 : 1, edge = end_of_b ? i : j, vertex = end_of_b ? j + end : i + end;
   bool at_end = view.part[k] > 0.5;
   if (isUnscaled()) {
     const Foot foot = end_of_b ? PosedVertices::foot<true>(edge, vertex) : PosedVertices::foot<false>(edge, vertex);
@@ -221,7 +220,7 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
     const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
     return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
   };
-  const auto from = [&](std::size_t v) {
+  const auto from = [&](EdgePosition v) {
     return end_of_b ? twofoldWay(edge + v, vertex, scale_) : twofoldWay(vertex, edge + v, scale_);
   };
   const int place = placeOf(view, k);
@@ -241,7 +240,7 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, std::size_t i, 
   return answer(std::abs(area) / std::sqrt(square), std::min(along / square, 1.0));
 }
 
-EdgeDistance EdgeDistances::exactCombination(int k, std::size_t i, std::size_t j) const {
+EdgeDistance EdgeDistances::exactCombination(int k, EdgePosition i, EdgePosition j) const {
   const bool end_of_b = k < 2;
   const std::size_t end = static_cast<std::size_t>(k % 2);
   const PosedPoint p = end_of_b ? PosedPoint{&pose_b, b.path[j + end]} : PosedPoint{&pose_a, a.path[i + end]};

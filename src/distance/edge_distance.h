@@ -44,7 +44,7 @@ class EdgeDistances : public PosedVertices {
     double low, high;  ///< of what at() returns, for edges that don't meet
     bool clear;        ///< whether they certainly don't
   };
-  Bounds bounds(std::size_t i, std::size_t j) const {
+  Bounds bounds(EdgePosition i, EdgePosition j) const {
     const Ends e = ends(i, j);
     const Beside of_a = beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1);
     if (b.isPoint()) {  // which crosses nothing
@@ -57,7 +57,7 @@ class EdgeDistances : public PosedVertices {
   }
 
   /// Whether two edges share a point. Exact.
-  bool meet(std::size_t i, std::size_t j) const;
+  bool meet(EdgePosition i, EdgePosition j) const;
 
   static constexpr int kCombinations = 4;
   /// One does for a point b.
@@ -76,12 +76,12 @@ class EdgeDistances : public PosedVertices {
     double along[kCombinations];   ///< times the edge's length, from its start
     double length_square[2];       ///< the edge's
   };
-  View view(std::size_t i, std::size_t j) const;
+  View view(EdgePosition i, EdgePosition j) const;
 
   /// For edges that don't meet. It depends on nothing but them, the poses and the options. These may allow errors of
   /// what is left beyond the margin, if something certainly is, and no more than the limit. Infinity may stand for
   /// what is certainly above `least`, and dear.
-  EdgeDistance at(const View& view, std::size_t i, std::size_t j, const DistanceQuery& options, double least) const;
+  EdgeDistance at(const View& view, EdgePosition i, EdgePosition j, const DistanceQuery& options, double least) const;
   /// The same where the features are known to be the nearest ones, with their foot. Only for what is unscaled.
   static EdgeDistance ofFeatures(const PosedVertices& vertices, const FeaturePair& features, const Foot& foot,
                                  const DistanceQuery& options) {
@@ -93,7 +93,7 @@ class EdgeDistances : public PosedVertices {
   /// A point common to two edges that meet, rounded: what along_a and along_b give is the same point but for that.
   EdgeDistance whereTheyMeet(const View& view) const;
   /// Whether plain doubles tell that two edges of what is unscaled cross, and where.
-  static bool cross(const PosedVertices& vertices, std::size_t i, std::size_t j, EdgeDistance& point);
+  static bool cross(const PosedVertices& vertices, EdgePosition i, EdgePosition j, EdgeDistance& point);
 
  private:
   static constexpr double kSmallest = 0x1p-1074;
@@ -135,9 +135,9 @@ class EdgeDistances : public PosedVertices {
   }
   static EdgeDistance ofCloseFeatures(const PosedVertices& vertices, const FeaturePair& features, const Foot& foot,
                                       double part, const DistanceQuery& options);
-  EdgeDistance combination(int k, const View& view, std::size_t i, std::size_t j, double least) const;
-  EdgeDistance exactCombination(int k, std::size_t i, std::size_t j) const;
-  std::uint64_t featureOf(const View& view, std::size_t i, std::size_t j) const;
+  EdgeDistance combination(int k, const View& view, EdgePosition i, EdgePosition j, double least) const;
+  EdgeDistance exactCombination(int k, EdgePosition i, EdgePosition j) const;
+  std::uint64_t featureOf(const View& view, EdgePosition i, EdgePosition j) const;
   /// Squares above this are of combinations that can't be the nearest.
   double mostSquare(const View& view) const;
 

@@ -12,8 +12,8 @@ namespace tricover::detail {
 namespace {
 
 /// Where they are nearest, of an edge and a point that isn't on it.
-EdgeDistance besideEdge(const PosedVertices& pair, std::size_t edge, const DistanceQuery& options) {
-  const std::size_t at = pair.b.degenerate_edge;
+EdgeDistance besideEdge(const PosedVertices& pair, EdgePosition edge, const DistanceQuery& options) {
+  const EdgePosition at = pair.b.degenerate_edge;
   const Foot foot = pair.foot<true>(edge, at);
   if (foot.is_plain) return {foot.distance, foot.part(), 0};
   const EdgeDistances edges(pair);
@@ -39,11 +39,11 @@ bool pointDistance(const PosedVertices& pair, const DistanceQuery& options, Dist
     const Location location = locateInA(pair, pair.b.path[pair.b.edgeBegin(0)]);
     if (location == Location::Boundary) return false;
     if (location == Location::Inside) {
-      result = containedResult(pair, -1, static_cast<std::ptrdiff_t>(pair.b.edgeBegin(0)));
+      result = containedResult(pair, kNoEdge, pair.b.edgeBegin(0));
       return true;
     }
   }
-  std::uint32_t edges[kMostNearest], nearest = 0;
+  EdgePosition edges[kMostNearest], nearest = 0;
   const int count = findNearestEdges(tree, place, edges);
   if (count == 0) return false;
   EdgeDistance best{std::numeric_limits<double>::infinity(), 0, 0};

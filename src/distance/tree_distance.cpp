@@ -17,14 +17,11 @@ Outcome descend(const PosedPair& pair, DistanceSearch& search) {
   search.limitTo((way[0] + way[1] + pair.error() + pair.a.radius + pair.b.radius) * (1 + kLargestDefect));
   const auto limit = [&] { return EdgeDistances::above(search.reach()); };
   if (pair.a.isDegenerate() && pair.b.isDegenerate()) {
-    search.show(static_cast<std::uint32_t>(pair.a.degenerate_edge), static_cast<std::uint32_t>(pair.b.degenerate_edge));
+    search.show(pair.a.degenerate_edge, pair.b.degenerate_edge);
     return Outcome();
   }
   forEachPair(
-      pair, limit(),
-      [&](double, std::size_t i, std::size_t j) {
-        return search.show(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)) ? limit() : -1;
-      },
+      pair, limit(), [&](double, EdgePosition i, EdgePosition j) { return search.show(i, j) ? limit() : -1; },
       [&](double length) {
         search.limitTo(length);
         return limit();
@@ -40,8 +37,7 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
     if (!polygon->isDegenerate()) innerDiscsOf(*polygon);
   if (!(depthOfDiscs(pair, 0) > 0)) return descend(pair, search);
   const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
-  if (outcome.edge_a >= 0 && outcome.edge_b >= 0)
-    search.setMeeting(static_cast<std::uint32_t>(outcome.edge_a), static_cast<std::uint32_t>(outcome.edge_b));
+  if (outcome.edge_a != kNoEdge && outcome.edge_b != kNoEdge) search.setMeeting(outcome.edge_a, outcome.edge_b);
   return outcome;
 }
 

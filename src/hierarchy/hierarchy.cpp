@@ -308,7 +308,7 @@ class Builder {
       if (i >= parts.count) continue;
       assert(!polygon_.fitsUnit() || holds(block, i, parts.all[i]));
       if (parts.all[i].kind == Content::Chain) block.spanned = static_cast<std::uint8_t>(block.spanned | 1u << i);
-      if (leaf) block.child[i] = static_cast<std::uint32_t>(parts.all[i].begin);
+      if (leaf) block.child[i] = static_cast<EdgePosition>(parts.all[i].begin);
     }
     const std::size_t index = blocks_.size();
     blocks_.push_back(block);

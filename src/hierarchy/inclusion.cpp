@@ -20,7 +20,7 @@ namespace {
     Ray ray{at.x(), at.y(), away.x() / distance, away.y() / distance, error * (2 + 16 / distance)};
     ray.for_winding = true;
     visitEdgesOnRay(
-        hierarchy, ray, [](void* to, std::uint32_t edge) { return static_cast<CoveringSum*>(to)->add(edge); }, &sum);
+        hierarchy, ray, [](void* to, EdgePosition edge) { return static_cast<CoveringSum*>(to)->add(edge); }, &sum);
   } else {
     sum.addAll();  // rounding hides where the ray goes
   }

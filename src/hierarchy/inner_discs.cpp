@@ -87,20 +87,20 @@ class DepthSearch {
 }  // namespace
 
 ThinnedOutline::ThinnedOutline(const PolygonData& polygon) : is_even_odd(polygon.fill.rule == FillRule::EvenOdd) {
-  const std::size_t stride = polygon.path.size() / kSearched + 1;
+  const auto stride = static_cast<EdgePosition>(polygon.path.size() / kSearched + 1);
   edges.reserve(polygon.path.size() / stride + polygon.ringCount());
   struct Vertex {
     float x, y;
   };
-  const auto vertex = [&](std::size_t position) {
+  const auto vertex = [&](EdgePosition position) {
     const auto coordinate = [](double value) { return std::abs(value) < 0x1p-60 ? 0 : static_cast<float>(value); };
     const Vec2 p = polygon.inUnits(polygon.path[position]);
     return Vertex{coordinate(p.x()), coordinate(p.y())};
   };
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
-    const std::size_t end = polygon.edgeEnd(r);
+    const EdgePosition end = polygon.edgeEnd(r);
     Vertex v = vertex(polygon.edgeBegin(r));
-    for (std::size_t e = polygon.edgeBegin(r); e < end; e += stride) {
+    for (EdgePosition e = polygon.edgeBegin(r); e < end; e += stride) {
       const Vertex w = vertex(std::min(e + stride, end));
       const float dx = w.x - v.x, dy = w.y - v.y, square = dx * dx + dy * dy;
       edges.push_back({v.x, v.y, w.y, dx, dy, square > 1e-20f ? 1 / square : 0, dy != 0 ? dx / dy : 0});

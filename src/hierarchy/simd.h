@@ -56,8 +56,8 @@ struct Descent {
 /// Which edges make a hit. Lengths are in a's units.
 struct HitTest {
   const void* context;
-  bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b);  ///< edges by their positions
-  double reach;                                                               ///< edges beyond can't make a hit
+  bool (*meet)(const void* context, EdgePosition edge_a, EdgePosition edge_b);  ///< edges by their positions
+  double reach;                                                                 ///< edges beyond can't make a hit
   double accept;  ///< regions that are proven closer are a hit without asking edges; negative: never
   bool wants_clearance;
 };
@@ -65,7 +65,7 @@ struct HitTest {
 struct DescentResult {
   bool hit;
   double clearance;             ///< no pair of edges is nearer, if there is no hit
-  std::int64_t edge_a, edge_b;  ///< of a hit; -1 if `accept` answered
+  EdgePosition edge_a, edge_b;  ///< of a hit; kNoEdge if `accept` answered
 };
 
 /// The first pair of edges that makes a hit, deepest box first.
@@ -85,7 +85,7 @@ extern Simd<void(const Hierarchy& hierarchy, const Place& place, double reach, c
 /// Which edge near a point makes a hit. Lengths are in the hierarchy's units.
 struct NearEdgeTest {
   const void* context;
-  bool (*meet)(const void* context, std::size_t edge);
+  bool (*meet)(const void* context, EdgePosition edge);
   double reach;   ///< edges beyond can't make a hit
   double accept;  ///< an edge that is proven to be no farther away is a hit without being asked; negative: never
 };
@@ -138,7 +138,7 @@ extern Simd<double(const InnerDiscs& discs, const Place& place)> depthInDiscs;
 struct PairVisitor {
   void* context;
   /// Edges at these positions, whose distance is at least `gap`.
-  double (*visit)(void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b);
+  double (*visit)(void* context, double gap, EdgePosition edge_a, EdgePosition edge_b);
   /// Null, or told a length that some pair's distance is proven not to be above.
   double (*narrow)(void* context, double length);
 };
@@ -156,14 +156,14 @@ enum class Meeting { Apart, Meet, Unknown };
 /// vertex of the other is nearest to its line. It is a guess as good as floats.
 struct ConvexGap {
   float gap;
-  int edge, vertex;
+  EdgePosition edge, vertex;
   bool of_a;
 };
 
 /// Whether two edges meet, by their positions: who knows where floats don't. Null: nobody.
 struct EdgeCheck {
   const void* context = nullptr;
-  bool (*meet)(const void* context, std::size_t edge_a, std::size_t edge_b) = nullptr;
+  bool (*meet)(const void* context, EdgePosition edge_a, EdgePosition edge_b) = nullptr;
 };
 
 /// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` goes
@@ -183,10 +183,10 @@ extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMa
                       double margin)>
     convexEntry;
 
-/// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone (the other -1) of the
+/// Edges of two small convex polygons that cross, a guess as good as floats; or one edge alone of the
 /// polygon that is proven to lie inside the other; or none. `map` as for fewEdgesMeet().
 struct ConvexCrossing {
-  int edge_a, edge_b;
+  EdgePosition edge_a = kNoEdge, edge_b = kNoEdge;
 };
 extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)>
     convexCrossing;
@@ -216,7 +216,7 @@ extern Simd<void(const Hierarchy& hierarchy, const Ray& ray, bool (*visit)(void*
 template <typename Visit>
 void forEachEdgeOn(const PolygonData& polygon, const Ray* ray, Visit&& visit) {
   if (ray == nullptr) return forEachEdge(polygon, visit);
-  const auto call = [](void* context, std::uint32_t edge) {
+  const auto call = [](void* context, EdgePosition edge) {
     return (*static_cast<std::remove_reference_t<Visit>*>(context))(edge);
   };
   visitEdgesOnRay(hierarchyOf(polygon), *ray, call, &visit);

@@ -89,7 +89,7 @@ struct FindHit {
   DescentResult result;
 
   /// At the leaves. True ends the descent.
-  [[gnu::always_inline]] bool operator()(double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+  [[gnu::always_inline]] bool operator()(double proven, EdgePosition edge_a, EdgePosition edge_b) {
     result.clearance = proven < result.clearance ? proven : result.clearance;
     if (proven > test.reach || !test.meet(test.context, edge_a, edge_b)) return false;
     result = {true, 0, edge_a, edge_b};
@@ -105,7 +105,7 @@ struct FindHit {
       const int i = __builtin_ctz(boxes);
       const double between = (gap[i] > 0 ? gap[i] : 0) + 2.0 * step.slack;
       if (!((1.4143 * between + 2.0 * (across[i] + other_across)) * step.in_a <= test.accept)) continue;
-      result = {true, 0, -1, -1};
+      result = {true, 0, kNoEdge, kNoEdge};
       return true;
     }
     return false;
@@ -133,7 +133,7 @@ struct ShowPairs {
   const PairVisitor& visitor;
   double limit;
 
-  [[gnu::always_inline]] bool operator()(double proven, std::uint32_t edge_a, std::uint32_t edge_b) {
+  [[gnu::always_inline]] bool operator()(double proven, EdgePosition edge_a, EdgePosition edge_b) {
     if (proven <= limit) limit = visitor.visit(visitor.context, proven, edge_a, edge_b);
     return limit < 0;
   }
@@ -193,7 +193,7 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   if (block.leaf && other.leaf) {
     for (unsigned left = near; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      const std::uint32_t edge = block.child[i];
+      const EdgePosition edge = block.child[i];
       if (goal(provenGap(step, gap[i]), into_a ? edge : other.child, into_a ? other.child : edge)) return true;
     }
     return false;
@@ -356,9 +356,9 @@ template <class Lanes, class Goal>
 [[gnu::always_inline]] inline bool descendBoth(const Descent& d, Goal& goal) {
   Visits visits;
   visits.add(kRoot, kRoot, -1e30f);
-  const std::size_t edge_a = d.degenerate ? d.polygon_a.degenerate_edge : PolygonData::kNotDegenerate;
-  const std::size_t edge_b = d.degenerate ? d.polygon_b.degenerate_edge : PolygonData::kNotDegenerate;
-  assert(edge_a == PolygonData::kNotDegenerate || edge_b == PolygonData::kNotDegenerate);
+  const EdgePosition edge_a = d.degenerate ? d.polygon_a.degenerate_edge : kNoEdge;
+  const EdgePosition edge_b = d.degenerate ? d.polygon_b.degenerate_edge : kNoEdge;
+  assert(edge_a == kNoEdge || edge_b == kNoEdge);
   while (visits.top > 0) {
     const auto [visit_a, visit_b, gap] = visits.all[--visits.top];
     if (Goal::kNarrows && gap > goal.limit) continue;
@@ -379,9 +379,9 @@ template <class Lanes, class Goal>
 
 template <class Lanes>
 DescentResult findHit(const Descent& d, const HitTest& test) {
-  FindHit goal{test, d.limit, {false, 1e300, -1, -1}};
+  FindHit goal{test, d.limit, {false, 1e300, kNoEdge, kNoEdge}};
   if (descendBoth<Lanes>(d, goal)) return goal.result;
-  return {false, goal.result.clearance > 0 ? goal.result.clearance : 0, -1, -1};
+  return {false, goal.result.clearance > 0 ? goal.result.clearance : 0, kNoEdge, kNoEdge};
 }
 
 template <class Lanes>

@@ -72,19 +72,12 @@ constexpr std::uint32_t kRoot = 0xffffffff;
 /// `degenerate_edge` is the edge that the whole hierarchy is to be taken for, if it is one
 /// (PolygonData::degenerate_edge).
 [[gnu::always_inline]] inline Item itemAt(const Hierarchy& hierarchy, std::uint32_t index,
-                                          std::size_t degenerate_edge) {
+                                          EdgePosition degenerate_edge) {
   if (index == kRoot) {
     const Box& box = hierarchy.root;
-    const bool leaf = degenerate_edge != PolygonData::kNotDegenerate;
-    return {box.x,
-            box.y,
-            box.ux,
-            box.uy,
-            box.along,
-            box.across,
-            leaf ? static_cast<std::uint32_t>(degenerate_edge) : 0,
-            leaf,
-            hierarchy.root_spanned};
+    const bool leaf = degenerate_edge != kNoEdge;
+    return {
+        box.x, box.y, box.ux, box.uy, box.along, box.across, leaf ? degenerate_edge : 0, leaf, hierarchy.root_spanned};
   }
   const Block& block = hierarchy.blocks[index / kLanes];
   const unsigned lane = index % kLanes;

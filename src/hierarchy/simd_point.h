@@ -35,7 +35,7 @@ Lanes boxDistances(const Block& block, const PlaceInBlock& p) {
 
 template <class Lanes>
 DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, double limit, const NearEdgeTest& test) {
-  DescentResult result{false, limit > 0 ? limit : 0, -1, -1};
+  DescentResult result{false, limit > 0 ? limit : 0, kNoEdge, kNoEdge};
   PlaceInBlock p;
   bool known;
   const auto near = [&](const Block& block, float(&distance)[kLanes]) {
@@ -55,7 +55,7 @@ DescentResult findEdgeNear(const Hierarchy& hierarchy, const Place& place, doubl
       if (low < result.clearance) result.clearance = low > 0 ? low : 0;
       if (low > test.reach) continue;
       if ((known && high <= test.accept) || test.meet(test.context, block.child[i])) {
-        result = {true, 0, static_cast<std::int64_t>(block.child[i]), -1};
+        result = {true, 0, block.child[i], kNoEdge};
         return false;
       }
     }

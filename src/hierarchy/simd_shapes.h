@@ -145,7 +145,7 @@ template <class Lanes, class Score>
   const int e = best.index;
   const int vertex = is_of_a ? farthestBack<Lanes>(x, y, b.lanes, a.nx[e], a.ny[e])
                              : farthestBack<Lanes>(a.x, a.y, a.lanes, bnx[e], bny[e]);
-  return {best.value, e, vertex, is_of_a};
+  return {best.value, static_cast<EdgePosition>(e), static_cast<EdgePosition>(vertex), is_of_a};
 }
 
 template <class Lanes>
@@ -231,21 +231,22 @@ ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, cons
     in |= above(Lanes::all(0), out) << i;
     shallow |= above(out, limit) << i;
   }
-  if (shallow == 0) return {-1, 0};
+  if (shallow == 0) return {kNoEdge, 0};
   in &= (1u << b.count) - 1;
   const unsigned next = in >> 1 | (in & 1) << (b.count - 1), leaving = in & ~next;
   const int edge = leaving != 0 ? __builtin_ctz(leaving) : edgeAcross<Lanes>(a, b, x, y);
   if (edge >= 0) {
     const int end = edge + 1 < b.count ? edge + 1 : 0;
-    return {firstExit<Lanes>(a, x[edge], y[edge], x[end], y[end]).index, edge};
+    const int first = firstExit<Lanes>(a, x[edge], y[edge], x[end], y[end]).index;
+    return {static_cast<EdgePosition>(first), static_cast<EdgePosition>(edge)};
   }
   float nx[SmallPolygon::kMost], ny[SmallPolygon::kMost], d[SmallPolygon::kMost];
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   for (int i = 0; i < a.lanes; i += kLanes) {
     const Lanes out = outside<Lanes>(nx, ny, d, b.count, Lanes::load(a.x + i), Lanes::load(a.y + i));
-    if (above(out, limit) != 0) return {-1, -1};
+    if (above(out, limit) != 0) return {};
   }
-  return {0, -1};
+  return {0, kNoEdge};
 }
 
 }  // namespace tricover::detail::simd

@@ -24,9 +24,9 @@ void addRings(const PolygonData& polygon, SmallPolygon& small) {
     i = end;
   };
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) {
-    const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
-    for (std::size_t e = begin; e < end; ++e) small.position[i + e - begin] = static_cast<std::uint8_t>(e);
-    add(i + static_cast<unsigned>(end - begin));
+    const EdgePosition begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+    for (EdgePosition e = begin; e < end; ++e) small.position[i + e - begin] = static_cast<std::uint8_t>(e);
+    add(i + (end - begin));
   }
   if (static_cast<int>(i) < small.lanes) add(static_cast<unsigned>(small.lanes));
 }

@@ -11,6 +11,7 @@
 #include "numbers/segment.h"
 #include "overlay/plain_ray.h"
 #include "pair/posed_pair.h"
+#include "polygon/edge_position.h"
 #include "tricover/ray.h"
 #include "tricover/segment.h"
 
@@ -78,7 +79,7 @@ class RoundRay {
     std::vector<Part> parts;
     for (const RayInterval& inside : detail::castPlainRayAll(polygon_.data(), still_.start, from_, to_))
       parts.push_back({inside.begin.fraction, inside.end.fraction});
-    const auto add = [&](std::size_t edge) {
+    const auto add = [&](detail::EdgePosition edge) {
       const detail::MovingEdge ends = pair.a.ends(places, 0, edge);
       const Part part = partWithin(ends.from() - origin, ends.to() - origin, way, reach);
       if (!(part.begin > part.end)) parts.push_back(part);

@@ -33,8 +33,8 @@ class Body {
     const std::size_t size = polygon.isPoint() ? 1 : polygon.isDegenerate() ? 2 : polygon.path.size() - 1;
     is_small_ = size <= SmallPolygon::kMost;
     if (is_small_) {
-      const std::size_t first = position(0);
-      for (std::size_t k = 0; k < size; ++k) vertices_[k] = mover.vertex(first + k);
+      const EdgePosition first = position(0);
+      for (EdgePosition k = 0; k < size; ++k) vertices_[k] = mover.vertex(first + k);
       vertices_[size] = vertices_[0];
     }
     ring_ = ConvexRing(is_small_ ? vertices_ : polygon.path.data(), size,
@@ -54,7 +54,7 @@ class Body {
     }
     RingRange range{support_, 0};
     const bool is_certain = ring_.supportVertex(
-        [&](std::uint32_t edge) {
+        [&](EdgePosition edge) {
           const Double2 e = stretched(ring_.edge(edge));
           return mx * e[0] + my * e[1];
         },
@@ -68,7 +68,7 @@ class Body {
   }
 
   /// The outer normal of an edge of a small polygon, at the interval's begin.
-  Vec2 normal(const Places& p, std::uint32_t edge) const {
+  Vec2 normal(const Places& p, EdgePosition edge) const {
     const Double2 e = ring_.edge(edge);
     const double x = p.m00[0] * e[0] + p.m01[0] * e[1], y = p.m10[0] * e[0] + p.m11[0] * e[1];
     const bool is_mirrored = p.m00[0] * p.m11[0] < p.m10[0] * p.m01[0];
@@ -101,7 +101,7 @@ class Body {
   }
 
   /// An edge's position in the path.
-  std::size_t position(std::uint32_t edge) const {
+  EdgePosition position(EdgePosition edge) const {
     return mover.polygon->isDegenerate() ? mover.polygon->degenerate_edge : edge;
   }
 
@@ -206,11 +206,9 @@ class ConvexAdvancement {
     const UnitMap map = at_a_.seen(at_b_, inverse).unitMap(pair_.b.scale * inverse);
     if (!(std::abs(map.tx) + std::abs(map.ty) < 0x1p60)) return false;  // floats may overflow
     const ConvexGap gap = convexGap(*pair_.a.tree->small_convex, *pair_.b.tree->small_convex, map);
-    const auto edge = static_cast<std::uint32_t>(gap.edge);
-    face_ = gap.of_a ? a_.normal(at_a_, edge) : Vec2(-b_.normal(at_b_, edge));
-    const auto vertex = static_cast<std::uint32_t>(gap.vertex);
-    edge_a_ = gap.of_a ? edge : a_.flatterEdge(at_a_, face_, vertex);
-    edge_b_ = gap.of_a ? b_.flatterEdge(at_b_, -face_, vertex) : edge;
+    face_ = gap.of_a ? a_.normal(at_a_, gap.edge) : Vec2(-b_.normal(at_b_, gap.edge));
+    edge_a_ = gap.of_a ? gap.edge : a_.flatterEdge(at_a_, face_, gap.vertex);
+    edge_b_ = gap.of_a ? b_.flatterEdge(at_b_, -face_, gap.vertex) : gap.edge;
     return true;
   }
 

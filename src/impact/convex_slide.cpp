@@ -49,9 +49,9 @@ static_assert(3 * PosedPair::kWayError >= kUnitRows * errorOf(16 + 4 + 5 + 6 + 2
 /// The line of an edge, and the other polygon beyond it, which moves along a straight path as the edge's polygon sees
 /// it. Lengths are the world's; along normals they are as many times as long as the edge.
 struct MovingBesideEdge {
-  MovingBesideEdge(const PosedPair& placement, bool of_a_, int edge_, Double2 path_of_b, double margin)
+  MovingBesideEdge(const PosedPair& placement, bool of_a_, EdgePosition edge_, Double2 path_of_b, double margin)
       : of_a(of_a_),
-        edge(static_cast<std::uint32_t>(edge_)),
+        edge(edge_),
         other(convexRing(of_a ? placement.b : placement.a)),
         path(of_a ? path_of_b : -path_of_b) {
     const double* r = (of_a ? placement.pose_a : placement.pose_b).data();  // columns of three
@@ -82,7 +82,7 @@ struct MovingBesideEdge {
   double untilEnd() const { return shareOf(beyond + speed, speed); }
 
   bool of_a;
-  std::uint32_t edge;  ///< its number, which is its position in the path
+  EdgePosition edge;  ///< its number, which is its position in the path
   ConvexRing other;
   Double2 path, along, outwards;  ///< of the other polygon; the edge, in the world; its outer normal, as long
   Double2 in_other;               ///< that in the other polygon's frame

@@ -47,7 +47,7 @@ Vec2 normalOfTouch(const MovingEdge& a, const MovingEdge& b, const Vec2& between
 }
 
 /// The number of an edge at a point of it.
-EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingEdge& edge, const Vec2& point) {
+EdgeIndex givenEdge(const Mover& mover, EdgePosition position, const MovingEdge& edge, const Vec2& point) {
   if (mover.given == mover.polygon) return givenEdge(*mover.given, *mover.polygon, position, 0);
   const Vec2 along = edge.to() - edge.from();
   const double part = (point - edge.from()).dot(along) / along.squaredNorm();
@@ -58,21 +58,19 @@ EdgeIndex givenEdge(const Mover& mover, std::size_t position, const MovingEdge& 
 Impact describeContainment(const MovingPair& pair, const FirstContact& found) {
   const Vec2 between = pair.a.places(0, 0).originTo(pair.b.places(0, 0));
   Impact impact{0, Vec2::Zero(), between.isZero(0) ? Vec2(1, 0) : between.stableNormalized(), -1, -1};
-  const auto vertex = [&](const Mover& mover, std::ptrdiff_t edge) {
-    const auto position = static_cast<std::size_t>(edge);
-    impact.point = mover.motion->start * mover.polygon->path[position];
-    return givenEdge(*mover.given, *mover.polygon, position, 0);
+  const auto vertex = [&](const Mover& mover, EdgePosition edge) {
+    impact.point = mover.motion->start * mover.polygon->path[edge];
+    return givenEdge(*mover.given, *mover.polygon, edge, 0);
   };
-  if (found.edge_a >= 0) impact.edge_a = vertex(pair.a, found.edge_a);
-  if (found.edge_b >= 0) impact.edge_b = vertex(pair.b, found.edge_b);
+  if (found.edge_a != kNoEdge) impact.edge_a = vertex(pair.a, found.edge_a);
+  if (found.edge_b != kNoEdge) impact.edge_b = vertex(pair.b, found.edge_b);
   return impact;
 }
 
 Impact describe(const MovingPair& pair, const FirstContact& found) {
-  if (found.edge_a < 0 || found.edge_b < 0) return describeContainment(pair, found);
-  const auto position_a = static_cast<std::size_t>(found.edge_a), position_b = static_cast<std::size_t>(found.edge_b);
+  if (found.edge_a == kNoEdge || found.edge_b == kNoEdge) return describeContainment(pair, found);
   const Places places_a = pair.a.places(found.time, found.time), places_b = pair.b.places(found.time, found.time);
-  const MovingEdge a = pair.a.ends(places_a, 0, position_a), b = pair.b.ends(places_b, 0, position_b);
+  const MovingEdge a = pair.a.ends(places_a, 0, found.edge_a), b = pair.b.ends(places_b, 0, found.edge_b);
   const NearestPoints nearest(a, b, pair.error);
   const Vec2 normal = nearest.distance > 0x1p20 * pair.error
                           ? Vec2(nearest.on_b - nearest.on_a).stableNormalized()
@@ -81,8 +79,8 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
   return {found.time,
           toWorld(pair, found.time, 0.5 * (nearest.on_a + nearest.on_b)),
           normal,
-          givenEdge(pair.a, position_a, a, nearest.on_a),
-          givenEdge(pair.b, position_b, b, nearest.on_b),
+          givenEdge(pair.a, found.edge_a, a, nearest.on_a),
+          givenEdge(pair.b, found.edge_b, b, nearest.on_b),
           found.budget_ended};
 }
 

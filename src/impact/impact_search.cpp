@@ -72,7 +72,7 @@ class ImpactSearch {
     contact.budget_ended = true;
     return contact;
   }
-  static std::size_t edgeBelow(const Mover& mover, std::uint32_t index) {
+  static EdgePosition edgeBelow(const Mover& mover, std::uint32_t index) {
     BoxOrEdge node = mover.node(index);
     while (!node.edge) node = mover.node(node.child * kLanes);
     return node.child;
@@ -160,15 +160,15 @@ class ImpactSearch {
   static constexpr double kLittle = 1.0 / 64;
   static constexpr std::size_t kWithoutEnds = 64;
 
-  void touch(double when, std::size_t position_a, std::size_t position_b) {
+  void touch(double when, EdgePosition position_a, EdgePosition position_b) {
     if (!(when < search_.upper)) return;
     search_.upper = when;
     edge_a_ = position_a;
     edge_b_ = position_b;
   }
 
-  void divideEdges(const TimeInterval& interval, const Encounter& encounter, std::size_t position_a,
-                   std::size_t position_b) {
+  void divideEdges(const TimeInterval& interval, const Encounter& encounter, EdgePosition position_a,
+                   EdgePosition position_b) {
     const MovingBox a = pair_.a.edge(interval.a, position_a), b = pair_.b.edge(interval.b, position_b);
     const auto nearest = [&](int lane) {
       return NearestPoints(pair_.a.ends(interval.a, lane, position_a), pair_.b.ends(interval.b, lane, position_b),
@@ -209,7 +209,7 @@ class ImpactSearch {
   bool is_in_range_;
   std::size_t most_encounters_, most_divisions_;  ///< the budget
   BestFirst<Encounter> search_{std::numeric_limits<double>::infinity()};
-  std::size_t edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
+  EdgePosition edge_a_ = 0, edge_b_ = 0;  ///< positions of those that touch at the upper bound
   std::size_t divided_ = 0;
 };
 

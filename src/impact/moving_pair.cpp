@@ -40,7 +40,7 @@ Places Mover::places(double begin, double end) const {
           y};
 }
 
-MovingBox Mover::edge(const Places& p, std::size_t position) const {
+MovingBox Mover::edge(const Places& p, EdgePosition position) const {
   const Vec2 v = inUnits(position), w = inUnits(position + 1);
   const Vec2 mid = 0.5 * (v + w), half = 0.5 * (w - v);
   const double length = half.norm();

@@ -84,16 +84,16 @@ struct Mover {
   MovingBox box(const Places& places, const BoxOrEdge& node) const { return box(places, node, 1); }
   /// By places in lengths of 1 / `inverse`.
   MovingBox box(const Places& places, const BoxOrEdge& node, double inverse) const;
-  MovingBox edge(const Places& places, std::size_t position) const;
+  MovingBox edge(const Places& places, EdgePosition position) const;
   /// A vertex by its position, stretched, from S: in units, and in the pair's length.
-  Vec2 inUnits(std::size_t position) const {
+  Vec2 inUnits(EdgePosition position) const {
     const Vec2 at = polygon->inUnits(polygon->path[position]);
     return stretched == 0 ? at : Vec2(stretch * at);
   }
-  Vec2 vertex(std::size_t position) const { return scale * inUnits(position); }
+  Vec2 vertex(EdgePosition position) const { return scale * inUnits(position); }
   /// The same in the unit that squares don't overflow in.
-  Vec2 inView(std::size_t position) const { return in_view * inUnits(position); }
-  MovingEdge ends(const Places& places, int lane, std::size_t position) const {
+  Vec2 inView(EdgePosition position) const { return in_view * inUnits(position); }
+  MovingEdge ends(const Places& places, int lane, EdgePosition position) const {
     return {places, lane, vertex(position), vertex(position + 1)};
   }
 
@@ -187,17 +187,16 @@ struct FirstContact {
   enum class Verdict { Never, Touch, Unknown };
   Verdict verdict;
   double time;  ///< they are certainly apart before, from time 0 on; of a touch, it is at most `time_error` too early
-  std::ptrdiff_t edge_a, edge_b;  ///< of a touch: positions in the paths; one is -1 where a ring is inside at time 0
-  bool budget_ended = false;      ///< of a touch: it was not found, only that nothing touches before
+  EdgePosition edge_a, edge_b;  ///< of a touch; one is kNoEdge where a ring is inside at time 0
+  bool budget_ended = false;    ///< of a touch: it was not found, only that nothing touches before
 
   bool isOpen() const { return verdict == Verdict::Unknown; }
 
-  static FirstContact never() { return {Verdict::Never, 1, -1, -1}; }
-  static FirstContact unknown(double time) { return {Verdict::Unknown, time, -1, -1}; }
+  static FirstContact never() { return {Verdict::Never, 1, kNoEdge, kNoEdge}; }
+  static FirstContact unknown(double time) { return {Verdict::Unknown, time, kNoEdge, kNoEdge}; }
   /// Of two that are apart at time 0, though it may be by less than rounding.
-  static FirstContact touch(double time, std::size_t edge_a, std::size_t edge_b) {
-    return {Verdict::Touch, std::max(time, std::numeric_limits<double>::denorm_min()),
-            static_cast<std::ptrdiff_t>(edge_a), static_cast<std::ptrdiff_t>(edge_b)};
+  static FirstContact touch(double time, EdgePosition edge_a, EdgePosition edge_b) {
+    return {Verdict::Touch, std::max(time, std::numeric_limits<double>::denorm_min()), edge_a, edge_b};
   }
 };
 

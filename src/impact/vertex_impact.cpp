@@ -28,17 +28,17 @@ class PointBesideTree {
     Ray ray{path.x[0], path.y[0], 1, 0, view.reachOfRing(path) + 0x1p-50 * length, length};
     if (length > 0) ray.dx = dx / length, ray.dy = dy / length;
     Approach best;
-    auto visit = [&](std::uint32_t position) {
+    auto visit = [&](EdgePosition position) {
       view.approach(path, EdgeInUnits(pair_.a, position), 0, position, best);
       ray.length = std::min(best.share, 1.0) * length;
       return true;
     };
     if (a_.isDegenerate())
-      visit(static_cast<std::uint32_t>(a_.degenerate_edge));
+      visit(a_.degenerate_edge);
     else
       visitEdgesOnRay(
           *pair_.a.tree, ray,
-          [](void* call, std::uint32_t edge) { return (*static_cast<decltype(visit)*>(call))(edge); }, &visit);
+          [](void* call, EdgePosition edge) { return (*static_cast<decltype(visit)*>(call))(edge); }, &visit);
     return best;
   }
 
@@ -82,18 +82,18 @@ struct SmallVertices {
   const SmallPolygon* small;  ///< the edges as floats have them, if these do
   int count = 0, edge_count = 0;
   Vec2 vertex[kMost];
-  double levers[kMost] = {};    ///< no less than from the pivot, in the pair's length
-  std::size_t position[kMost];  ///< of the vertices' edges, in the path
+  double levers[kMost] = {};     ///< no less than from the pivot, in the pair's length
+  EdgePosition position[kMost];  ///< of the vertices' edges, in the path
   EdgeInUnits edge[kMost];
 
  private:
-  void addVertex(const Mover& mover, std::size_t at, std::size_t edge_position) {
+  void addVertex(const Mover& mover, EdgePosition at, EdgePosition edge_position) {
     vertex[count] = mover.inView(at);
     position[count++] = edge_position;
   }
   void addRing(const Mover& mover, std::size_t ring) {
     const int first = count;
-    for (std::size_t e = mover.polygon->edgeBegin(ring); e < mover.polygon->edgeEnd(ring); ++e) addVertex(mover, e, e);
+    for (EdgePosition e = mover.polygon->edgeBegin(ring); e < mover.polygon->edgeEnd(ring); ++e) addVertex(mover, e, e);
     for (; edge_count < count; ++edge_count)
       edge[edge_count] = EdgeInUnits(vertex[edge_count], vertex[edge_count + 1 < count ? edge_count + 1 : first]);
   }

@@ -24,7 +24,7 @@ struct EdgeInUnits {
     length = std::sqrt(square);
     if (square > 0x1p-900) ux = dx / length, uy = dy / length;
   }
-  EdgeInUnits(const Mover& mover, std::size_t position)
+  EdgeInUnits(const Mover& mover, EdgePosition position)
       : EdgeInUnits(mover.inView(position), mover.inView(position + 1)) {}
 
   double half() const { return 0.5 * length; }
@@ -222,11 +222,11 @@ inline double leverOf(const Mover& mover, const Vec2& vertex) {
 
 /// visit(view, path, edge, end) for each end of two edges beside the other one, until it returns true.
 template <typename Visit>
-bool anyEndBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b, Visit visit) {
+bool anyEndBeside(const TimeInterval& interval, EdgePosition edge_a, EdgePosition edge_b, Visit visit) {
   for (const bool of_b : {false, true}) {
     const VertexView view(interval, of_b);
     const Mover &of = of_b ? interval.pair.b : interval.pair.a, &from = of_b ? interval.pair.a : interval.pair.b;
-    const std::size_t own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
+    const EdgePosition own = of_b ? edge_b : edge_a, other = of_b ? edge_a : edge_b;
     const EdgeInUnits edge(from, other);
     for (std::uint32_t end = 0; end < 2; ++end) {
       const Vec2 vertex = of.inView(own + end);
@@ -237,7 +237,7 @@ bool anyEndBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t 
 }
 
 /// Whether an end of one of two edges stays in contact with the other one throughout.
-inline bool endStaysBeside(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+inline bool endStaysBeside(const TimeInterval& interval, EdgePosition edge_a, EdgePosition edge_b) {
   return anyEndBeside(interval, edge_a, edge_b,
                       [](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t) {
                         return view.staysBeside(path, edge);
@@ -245,7 +245,7 @@ inline bool endStaysBeside(const TimeInterval& interval, std::size_t edge_a, std
 }
 
 /// Whether two edges cross throughout: the ends of either stay on different sides of the other one's line.
-inline bool edgesStayCrossed(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+inline bool edgesStayCrossed(const TimeInterval& interval, EdgePosition edge_a, EdgePosition edge_b) {
   int sides[4], count = 0;
   anyEndBeside(interval, edge_a, edge_b,
                [&](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t) {
@@ -257,7 +257,7 @@ inline bool edgesStayCrossed(const TimeInterval& interval, std::size_t edge_a, s
 
 /// The share of the interval that contact of two edges may lie in, which are apart at its begin; none if low > high. By
 /// their ends one by one: an end near its pivot moves by little, however far the other one does.
-inline Rest restOfEdges(const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+inline Rest restOfEdges(const TimeInterval& interval, EdgePosition edge_a, EdgePosition edge_b) {
   Approach first;
   anyEndBeside(interval, edge_a, edge_b,
                [&](const VertexView& view, const VertexPath& path, const EdgeInUnits& edge, std::uint32_t end) {

@@ -27,7 +27,7 @@ struct EdgePiece {
   std::array<OrderedPoint, 2> key() const { return {std::min(v, w), std::max(v, w)}; }
 
   OrderedPoint v, w;
-  std::size_t edge;  ///< its position
+  EdgePosition edge;  ///< its position
 };
 
 /// All edges in order, cut where a vertex is on them. Any two pieces are then the same but for their direction, or have
@@ -35,14 +35,14 @@ struct EdgePiece {
 std::vector<EdgePiece> cutEdges(const PolygonData& polygon) {
   std::vector<std::vector<OrderedPoint>> places(polygon.path.size());
   const Pose still = Pose::Identity();
-  forEachPair(PosedPair(polygon, still, polygon, still), 0, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(PosedPair(polygon, still, polygon, still), 0, [&](double, EdgePosition i, EdgePosition j) {
     const Vec2 &v = polygon.path[i], &w = polygon.path[i + 1], &p = polygon.path[j];
     if (p == v || p == w || (orientation(v, w, p) == 0 && betweenExact({nullptr, p}, {nullptr, v}, {nullptr, w})))
       places[i].push_back(ordered(p));
     return 0.0;
   });
   std::vector<EdgePiece> pieces;
-  forEachEdge(polygon, [&](std::size_t edge) {
+  forEachEdge(polygon, [&](EdgePosition edge) {
     std::vector<OrderedPoint>& along = places[edge];
     std::sort(along.begin(), along.end());
     along.erase(std::unique(along.begin(), along.end()), along.end());
@@ -83,8 +83,7 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<EdgePiece>& pi
   std::vector<EdgePiece> all;
   std::vector<bool> borders;
   for (const EdgePiece& piece : pieces) {
-    const EdgeSides& beside =
-        sides.of(EdgeSides::A, cut.data().edgePosition(static_cast<std::size_t>(&piece - pieces.data())));
+    const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(&piece - pieces.data()));
     const bool is_border = beside.hasAny(&EdgeSides::Piece::isBorder);
     if (!is_border || !beside.hasAny(&EdgeSides::Piece::isNoBorder)) {
       all.push_back(piece);

@@ -11,7 +11,7 @@ namespace tricover::detail {
 
 struct BorderRings {
   std::vector<Ring> rings;
-  std::vector<std::size_t> edges;  ///< by the numbers of the rings' edges: positions in the given polygon
+  std::vector<EdgePosition> edges;  ///< by the numbers of the rings' edges: positions in the given polygon
 };
 
 /// Rings of all edges that have the region on one side alone, for the even-odd rule; nothing if the polygon's own rings

@@ -67,13 +67,13 @@ ApproxPoint PosedRegions::approx(std::size_t i, const Vec2& p) const {
   return {at.x, at.y, PosedPair::kErrorOfB * (pair.size() + p.lpNorm<1>()) * (1 + 8 * kUnitRoundoff) + kTiny};
 }
 
-ApproxPoint PosedRegions::inFrame(std::size_t i, std::size_t of, std::size_t position) const {
+ApproxPoint PosedRegions::inFrame(std::size_t i, std::size_t of, EdgePosition position) const {
   const Vec2& p = polygon(of).path[position];
   if (i == of) return {p.x(), p.y(), 0};
   return seenFromA({polygon(i), pose(i), polygon(of), pose(of)}, p).approx;
 }
 
-EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before)
+EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, EdgePosition edge, const EdgeSides* before)
     : regions_(regions),
       operand_(operand),
       edge_(edge),
@@ -113,7 +113,7 @@ void EdgeSides::findEvents(std::size_t operand, const EdgeSides* before) {
   approach.leads_back = approach.bend == 0 && !isBetween(line_.v, approach.u, line_.w);
   windings_[operand] = approach.windings;
   if (approach.leads_back) std::swap(windings_[operand].left, windings_[operand].right);
-  forEachEdgeNear(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit, [&](std::size_t edge) {
+  forEachEdgeNear(polygon, at_v, at_w, 1.5 * std::max(v.error, w.error) * polygon.inverse_unit, [&](EdgePosition edge) {
     const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
     const LineMeeting meeting = meetLine(line_.v, line_.w, operand, edge, q, r);
     if (meeting.kind == LineMeeting::Along && operand != operand_ && operand_ == A && regions_.findsAlong())
@@ -137,7 +137,7 @@ void EdgeSides::comeFromOutside(Approach& approach, std::size_t operand, const V
   approach.pose.matrix().topLeftCorner<2, 2>() *= 8;
   approach.u = {regions_.approx(operand, 8 * eighth), {&approach.pose, eighth}};
   const double room = error + 0x1p-48 * polygon.extent * polygon.inverse_unit;
-  forEachEdgeNear(polygon, begin, at, room, [&](std::size_t edge) {
+  forEachEdgeNear(polygon, begin, at, room, [&](EdgePosition edge) {
     const LineMeeting meeting =
         meetLine(approach.u, line_.v, operand, edge, regions_.at(operand, edge), regions_.at(operand, edge + 1));
     if (meeting.kind == LineMeeting::Point && meeting.at_v > 0 && meeting.at_w < 0)
@@ -157,7 +157,7 @@ void EdgeSides::addEvent(const LineMeeting& meeting, const SeenPoint& q, const S
 }
 
 /// From an edge's first end on the line on there is one more along it, from its last end on one less.
-void EdgeSides::addAlong(std::size_t operand, std::size_t edge, const SeenPoint& q, const SeenPoint& r) {
+void EdgeSides::addAlong(std::size_t operand, EdgePosition edge, const SeenPoint& q, const SeenPoint& r) {
   const int direction = -line_.compare(q.exact, r.exact);
   for (const auto& [end, along] : {std::pair(&q, direction), std::pair(&r, -direction)}) {
     SweepEvent event = LineSweep::pointEvent(operand, edge, end->exact, along);
@@ -212,7 +212,7 @@ void EdgeSides::addPiece(std::size_t event) {
   pieces_.push_back(piece);
 }
 
-bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
+bool EdgeSides::hasBoundaryWithin(EdgePosition edge, double margin) const {
   return std::any_of(pieces_.begin(), pieces_.end(),
                      [&](const Piece& piece) { return piece.isBoundary() && isWithin(piece, edge, margin); });
 }
@@ -222,7 +222,7 @@ bool EdgeSides::hasBoundaryWithin(std::size_t edge, double margin) const {
 ///
 /// Where that hides whether the distance is less than the margin, exact numbers tell: of the ends of the edge whose
 /// feet are on the piece, and of the piece's ends.
-bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) const {
+bool EdgeSides::isWithin(const Piece& piece, EdgePosition edge, double margin) const {
   if (events_.size() == 2) return true;
   const SweepEvent &begin = events_[piece.event], &end = events_[piece.event + 1];
   const ApproxPoint &from = line_.v.approx, &to = line_.w.approx;
@@ -250,7 +250,7 @@ bool EdgeSides::isWithin(const Piece& piece, std::size_t edge, double margin) co
 
 /// Whether what the other edge has in common with this one is, as a whole, on one side of an event: 1 after it, -1
 /// before.
-bool EdgeSides::isBeyond(std::size_t edge, const SweepEvent& event, int side) const {
+bool EdgeSides::isBeyond(EdgePosition edge, const SweepEvent& event, int side) const {
   const std::size_t operand = operand_ == A ? B : A;
   const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
   const auto isThere = [&](const SeenPoint& from, const SeenPoint& to) {
@@ -266,32 +266,32 @@ bool EdgeSides::hasAny(Is is) const {
   return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) { return (piece.*is)(); });
 }
 
-bool EdgeSides::hasAnyUntil(Is is, const std::vector<std::size_t>& edges, int side) const {
+bool EdgeSides::hasAnyUntil(Is is, const std::vector<EdgePosition>& edges, int side) const {
   return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     const SweepEvent& event = events_[side > 0 ? piece.event : piece.event + 1];
     return (piece.*is)() &&
-           std::none_of(edges.begin(), edges.end(), [&](std::size_t edge) { return isBeyond(edge, event, -side); });
+           std::none_of(edges.begin(), edges.end(), [&](EdgePosition edge) { return isBeyond(edge, event, -side); });
   });
 }
 
-bool EdgeSides::hasAnyAt(Is is, std::size_t edge) const {
+bool EdgeSides::hasAnyAt(Is is, EdgePosition edge) const {
   return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     return (piece.*is)() && !isBeyond(edge, events_[piece.event], -1) && !isBeyond(edge, events_[piece.event + 1], 1);
   });
 }
 
-const EdgeSides& KnownSides::of(std::size_t operand, std::size_t edge) {
+const EdgeSides& KnownSides::of(std::size_t operand, EdgePosition edge) {
   if (const EdgeSides* known = ifKnown(operand, edge)) return *known;
   const EdgeSides* before = ifKnown(operand, edgesAt(regions_.polygon(operand), edge).before);
   return known_.try_emplace({operand, edge}, regions_, operand, edge, before).first->second;
 }
 
-bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j) {
+bool crossAlone(const PosedPair& pair, EdgePosition i, EdgePosition j) {
   if (crossingDirection(pair, i, j) == 0) return false;
   const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
   const ApproxPoint q = pair.fromB(pair.b.path[j]), r = pair.fromB(pair.b.path[j + 1]);
   // The path of units errs by few U.
-  const auto isAlone = [](const PolygonData& polygon, std::size_t edge, const Share& place) {
+  const auto isAlone = [](const PolygonData& polygon, EdgePosition edge, const Share& place) {
     if (!polygon.fitsUnit()) return false;
     const Vec2 begin = polygon.inUnits(polygon.path[edge]), way = polygon.inUnits(polygon.path[edge + 1]) - begin;
     const Vec2 at = begin + place.middle * way;

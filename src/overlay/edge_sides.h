@@ -26,17 +26,17 @@ class PosedRegions {
   bool findsAlong() const { return finds_along_; }
 
   /// A vertex, by its position in the path.
-  SeenPoint at(std::size_t i, std::size_t position) const {
+  SeenPoint at(std::size_t i, EdgePosition position) const {
     const Vec2& p = polygon(i).path[position];
     return {i == 0 ? pairs_[0].fromA(p) : pairs_[i - 1].fromB(p), {&pose(i), p}};
   }
-  PosedSegment edge(std::size_t i, std::size_t edge) const { return {&pose(i), &polygon(i).path[edge]}; }
+  PosedSegment edge(std::size_t i, EdgePosition edge) const { return {&pose(i), &polygon(i).path[edge]}; }
   /// Whether a region may be as near to a segment as its disc is.
   bool isNear(std::size_t i, const ApproxPoint& v, const ApproxPoint& w) const;
   /// Any point of a polygon's frame.
   ApproxPoint approx(std::size_t i, const Vec2& p) const;
   /// A vertex of `of` in the frame of i.
-  ApproxPoint inFrame(std::size_t i, std::size_t of, std::size_t position) const;
+  ApproxPoint inFrame(std::size_t i, std::size_t of, EdgePosition position) const;
 
  private:
   std::vector<PosedPair> pairs_;
@@ -87,20 +87,20 @@ class EdgeSides {
   };
 
   /// `before`: the sides of the edge that ends where this one begins, if they are known.
-  EdgeSides(const PosedRegions& regions, std::size_t operand, std::size_t edge, const EdgeSides* before = nullptr);
+  EdgeSides(const PosedRegions& regions, std::size_t operand, EdgePosition edge, const EdgeSides* before = nullptr);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// `Is`: a question to pieces. Whether some piece answers it.
   using Is = bool (Piece::*)() const;
   bool hasAny(Is is) const;
   /// The same of pieces that share a point with another operand's edge, which meets this one.
-  bool hasAnyAt(Is is, std::size_t edge) const;
+  bool hasAnyAt(Is is, EdgePosition edge) const;
   /// The same on the way from its start (side 1), or back from its end (-1), to the first of some of the other
   /// operand's edges, which meet it.
-  bool hasAnyUntil(Is is, const std::vector<std::size_t>& edges, int side) const;
+  bool hasAnyUntil(Is is, const std::vector<EdgePosition>& edges, int side) const;
   /// Whether some piece that is a boundary is nearer than a margin to an edge of the first region, as the edge as a
   /// whole is. Exact.
-  bool hasBoundaryWithin(std::size_t edge, double margin) const;
+  bool hasBoundaryWithin(EdgePosition edge, double margin) const;
 
  private:
   /// A segment from u to v, and the winding numbers beside it at v.
@@ -115,15 +115,16 @@ class EdgeSides {
   void findEvents(std::size_t operand, const EdgeSides* before);
   void comeFromOutside(Approach& approach, std::size_t operand, const Vec2& at, double error) const;
   void addEvent(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r);
-  void addAlong(std::size_t operand, std::size_t edge, const SeenPoint& q, const SeenPoint& r);
+  void addAlong(std::size_t operand, EdgePosition edge, const SeenPoint& q, const SeenPoint& r);
   void goAround(const Approach& approach, const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r);
   Sides insides(std::size_t operand) const;
   void addPiece(std::size_t event);
-  bool isBeyond(std::size_t edge, const SweepEvent& event, int side) const;
-  bool isWithin(const Piece& piece, std::size_t edge, double margin) const;
+  bool isBeyond(EdgePosition edge, const SweepEvent& event, int side) const;
+  bool isWithin(const Piece& piece, EdgePosition edge, double margin) const;
 
   const PosedRegions& regions_;
-  const std::size_t operand_, edge_;
+  const std::size_t operand_;
+  const EdgePosition edge_;
   const LineSweep line_;
   std::map<std::size_t, Windings> windings_;  ///< of operands that are near, beside the current piece, at last at w
   std::vector<SweepEvent> events_;            ///< from v to w, which are the first and the last one, in order
@@ -137,19 +138,19 @@ class KnownSides {
   KnownSides(const KnownSides&) = delete;
   KnownSides& operator=(const KnownSides&) = delete;
 
-  const EdgeSides* ifKnown(std::size_t operand, std::size_t edge) const {
+  const EdgeSides* ifKnown(std::size_t operand, EdgePosition edge) const {
     const auto known = known_.find({operand, edge});
     return known != known_.end() ? &known->second : nullptr;
   }
-  const EdgeSides& of(std::size_t operand, std::size_t edge);
+  const EdgeSides& of(std::size_t operand, EdgePosition edge);
 
  private:
   const PosedRegions regions_;
-  std::map<std::pair<std::size_t, std::size_t>, EdgeSides> known_;  ///< by operand and edge
+  std::map<std::pair<std::size_t, EdgePosition>, EdgeSides> known_;  ///< by operand and edge
 };
 
 /// Whether the filters prove that two edges of a pair cross, each with no other edge of its polygon there. Then both
 /// regions have their inside in one of the four quadrants: the windings beside each edge differ by 1.
-bool crossAlone(const PosedPair& pair, std::size_t i, std::size_t j);
+bool crossAlone(const PosedPair& pair, EdgePosition i, EdgePosition j);
 
 }  // namespace tricover::detail

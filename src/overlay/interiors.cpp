@@ -30,7 +30,7 @@ class InteriorSearch {
 
   bool meet() {
     const UnitPlacement at = pair_.inUnits();
-    const auto look = [](const void* search, std::size_t i, std::size_t j) {
+    const auto look = [](const void* search, EdgePosition i, EdgePosition j) {
       return static_cast<InteriorSearch*>(const_cast<void*>(search))->meetBeside(i, j);
     };
     const Descent descent{pair_.a, pair_.b, hierarchyOf(pair_.a), hierarchyOf(pair_.b), at.map, at.rounding, 0};
@@ -39,12 +39,12 @@ class InteriorSearch {
   }
 
  private:
-  bool meetBeside(std::size_t i, std::size_t j) {
+  bool meetBeside(EdgePosition i, EdgePosition j) {
     return edgesMeet(pair_, i, j) &&
            (crossAlone(pair_, i, j) || meetBeside(EdgeSides::A, i) || meetBeside(EdgeSides::B, j));
   }
 
-  bool meetBeside(EdgeSides::Operand operand, std::size_t edge) {
+  bool meetBeside(EdgeSides::Operand operand, EdgePosition edge) {
     if (sides_.ifKnown(operand, edge) != nullptr) return false;
     if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))
       return isInInterior(pair_, operand, edge, sides_);
@@ -53,13 +53,13 @@ class InteriorSearch {
     return sides.hasAny(&EdgeSides::Piece::bordersBoth) || sides.hasAny(&EdgeSides::Piece::isInOther);
   }
 
-  /// `start` is the position of the first edge of a ring that starts inside of the other region, or -1.
-  bool meetInside(EdgeSides::Operand operand, std::ptrdiff_t start) {
-    if (start >= 0 && meetBeside(operand, static_cast<std::size_t>(start))) return true;
-    if (start < 0 && !has_bare_[operand]) return false;
+  /// `start` is the first edge of a ring that starts inside of the other region, or kNoEdge.
+  bool meetInside(EdgeSides::Operand operand, EdgePosition start) {
+    if (start != kNoEdge && meetBeside(operand, start)) return true;
+    if (start == kNoEdge && !has_bare_[operand]) return false;
     bool has_found = false;
     forEachEdge(operand == EdgeSides::A ? pair_.a : pair_.b,
-                [&](std::size_t edge) { return !(has_found = meetBeside(operand, edge)); });
+                [&](EdgePosition edge) { return !(has_found = meetBeside(operand, edge)); });
     return has_found;
   }
 
@@ -70,7 +70,7 @@ class InteriorSearch {
 
 }  // namespace
 
-bool isInInterior(const PosedPair& given, EdgeSides::Operand operand, std::size_t edge, KnownSides& sides) {
+bool isInInterior(const PosedPair& given, EdgeSides::Operand operand, EdgePosition edge, KnownSides& sides) {
   // The point is b's from here on.
   const PosedPair pair = operand == EdgeSides::A ? given.back() : given;
   const EdgeSides::Operand other = operand == EdgeSides::A ? EdgeSides::B : EdgeSides::A;
@@ -80,7 +80,7 @@ bool isInInterior(const PosedPair& given, EdgeSides::Operand operand, std::size_
   bool is_on_edge = false, is_inner = true;
   const IncludedPoint seen = seenFromA(pair, point);
   CoveringSum around(pair.a, seen);
-  forEachEdge(pair.a, [&](std::size_t e) {
+  forEachEdge(pair.a, [&](EdgePosition e) {
     if (pair.a.path[e] == pair.a.path[e + 1]) return true;  // it may be that point
     if (edgesMeet(pair, e, edge)) {
       is_on_edge = true;

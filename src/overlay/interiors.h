@@ -15,7 +15,7 @@ bool interiorsMeet(const PolygonData& a, const Pose& pose_a, const PolygonData& 
 
 /// Whether an operand's edge, of a ring that is a point, is in the interior of the other region. The other's edges that
 /// it is on are seams then. Exact.
-bool isInInterior(const PosedPair& pair, EdgeSides::Operand operand, std::size_t edge, KnownSides& sides);
+bool isInInterior(const PosedPair& pair, EdgeSides::Operand operand, EdgePosition edge, KnownSides& sides);
 
 /// Whether that is what a query asks. With a margin it asks for a distance below it, edge by edge. With a tolerance
 /// touching is within it, and may collide.

@@ -33,7 +33,7 @@ bool isBetween(const SeenPoint& p, const SeenPoint& q, const SeenPoint& r) {
 ///   s     = |q r v| / D,
 ///   s - 1 = |q r w| / D,
 /// and D has the sign of what r is to the left of q by.
-LineMeeting meetLine(const SeenPoint& v, const SeenPoint& w, std::size_t polygon, std::size_t position,
+LineMeeting meetLine(const SeenPoint& v, const SeenPoint& w, std::size_t polygon, EdgePosition position,
                      const SeenPoint& q, const SeenPoint& r) {
   LineMeeting meeting{LineMeeting::None, 0, 0, orientation(v, w, q), orientation(v, w, r), {}};
   const int of_q = meeting.of_q, of_r = meeting.of_r;

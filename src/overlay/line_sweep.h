@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "numbers/predicates.h"
+#include "polygon/edge_position.h"
 
 namespace tricover::detail {
 
@@ -27,7 +28,7 @@ struct SweepEvent {
   const Pose* pose;
   Vec2 ends[2];                     ///< of the edge that meets the line there, or twice a point
   std::size_t polygon;              ///< whose winding numbers change
-  std::size_t position;             ///< of the edge
+  EdgePosition position;            ///< of the edge
   std::int8_t left = 0, right = 0;  ///< by how much
   std::int8_t along = 0;            ///< how many edges more run along the line
   double place = 0, error = 0;      ///< 0 at the segment's start, 1 at its end
@@ -56,7 +57,7 @@ struct LineMeeting {
 /// The left of the line is the line itself, moved to the left by next to nothing. An edge crosses that if one of its
 /// ends is on the left and the other is not. The right is the same. An edge along the line crosses neither. An edge
 /// that leads from right to left has one winding more on its left, which is behind the place: the sweep loses one.
-LineMeeting meetLine(const SeenPoint& v, const SeenPoint& w, std::size_t polygon, std::size_t position,
+LineMeeting meetLine(const SeenPoint& v, const SeenPoint& w, std::size_t polygon, EdgePosition position,
                      const SeenPoint& q, const SeenPoint& r);
 
 /// A segment from v to w along which a sweep comes from event to event.
@@ -66,7 +67,7 @@ class LineSweep {
       : v{begin, segment[0]}, w{end, segment[1]}, segment_(segment) {}
 
   /// A point on the line, from which on more edges run along it.
-  static SweepEvent pointEvent(std::size_t polygon, std::size_t position, const PosedPoint& point, int along) {
+  static SweepEvent pointEvent(std::size_t polygon, EdgePosition position, const PosedPoint& point, int along) {
     return {point.pose, {point.local, point.local}, polygon, position, 0, 0, static_cast<std::int8_t>(along)};
   }
 

@@ -204,11 +204,11 @@ class RingCover {
   /// one from side to side elsewhere. An edge that stands for several was tested before.
   bool isBare(std::size_t corner) {
     if (at(corner).chain != 1 || at(corner).isNew() || at(at(corner).next).isNew()) return false;
-    const std::size_t old = begin_ + at(corner).foot;
+    const auto old = static_cast<EdgePosition>(begin_ + at(corner).foot);
     const Vec2 &v = polygon_.path[old], &w = polygon_.path[old + 1];
     const int axis = std::abs(w.x() - v.x()) >= std::abs(w.y() - v.y()) ? 0 : 1;
     bool is_alone = true;
-    forEachEdgeNear(polygon_, polygon_.inUnits(v), polygon_.inUnits(w), 0, [&](std::size_t edge) {
+    forEachEdgeNear(polygon_, polygon_.inUnits(v), polygon_.inUnits(w), 0, [&](EdgePosition edge) {
       const Vec2 &p = polygon_.path[edge], &q = polygon_.path[edge + 1];
       if (edge == old || p == q || orientation(v, w, p) != 0 || orientation(v, w, q) != 0) return true;
       const double begin = std::max(std::min(v[axis], w[axis]), std::min(p[axis], q[axis]));
@@ -231,7 +231,7 @@ class RingCover {
     const Vec2 &from = triangle.at(longest), &to = triangle.at(longest + 1);
     const double reach = near_.distance(triangle.at(longest + 2), from, to);
     bool is_clear = true;
-    forEachEdgeNear(polygon_, polygon_.inUnits(from), polygon_.inUnits(to), reach, [&](std::size_t edge) {
+    forEachEdgeNear(polygon_, polygon_.inUnits(from), polygon_.inUnits(to), reach, [&](EdgePosition edge) {
       return is_clear = !triangle.isEnteredBy(polygon_.path[edge], polygon_.path[edge + 1]);
     });
     return is_clear && !triangle.holdsInside(polygon_);

@@ -59,7 +59,7 @@ class RayCast {
   }
 
   /// Takes an edge that the ray may meet, and shortens the ray.
-  bool operator()(std::size_t edge) {
+  bool operator()(EdgePosition edge) {
     const FourEnds ends = endsWith(edge);
     if (!ends.meet()) return true;
     const double fraction = fractionOf(ends);
@@ -143,8 +143,8 @@ class RayCast {
     return locateInPolygon(polygon_, start) != Location::Outside;
   }
 
-  RayHit hitAt(std::size_t edge, double fraction, int seen_from) const {
-    const std::size_t named = polygon_.namedEdge(edge);
+  RayHit hitAt(EdgePosition edge, double fraction, int seen_from) const {
+    const EdgePosition named = polygon_.namedEdge(edge);
     return {fraction, pointAt(from(), to(), fraction), normal(named, seen_from), polygon_.edgeName(named)};
   }
   RayHit start() const { return {0, from(), -unitVector(from(), to()), -1}; }
@@ -202,7 +202,7 @@ class RayCast {
   double share_;                 ///< no fraction of a hit is above, if known
   bool known_;                   ///< whether doubles know where the ray passes the polygon
   bool found_ = false;
-  std::size_t edge_ = 0;  ///< the first so far
+  EdgePosition edge_ = 0;  ///< the first so far
   double fraction_ = 0;
 };
 
@@ -221,7 +221,7 @@ class RayCastAll : private RayCast {
     events_ = {{nullptr, {from(), from()}, kRay, 0, 0, 0}, {nullptr, {to(), to()}, kRay, 1, 0, 0}};
     Ray line = ray_;
     const bool is_known = in_units && bringBack(line);
-    forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](std::size_t edge) { return add(edge), true; });
+    forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](EdgePosition edge) { return add(edge), true; });
     std::sort(events_.begin(), events_.end(), [&](const Event& p, const Event& q) { return compare(p, q) < 0; });
 
     std::vector<RayInterval> intervals;
@@ -249,11 +249,11 @@ class RayCastAll : private RayCast {
 
     const Pose* pose;
     Vec2 ends[2];             ///< of the edge, or twice the point
-    std::size_t edge;         ///< or kRay
+    EdgePosition edge;        ///< or kRay
     double fraction;          ///< or 0 or 1, whichever is nearer
     std::int8_t turn, along;  ///< how the winding number on the left changes, and the number of edges along the line
   };
-  static constexpr std::size_t kRay = ~std::size_t{0};
+  static constexpr EdgePosition kRay = kNoEdge;
 
   /// Begins the ray's line where it is behind all of the polygon. False if doubles don't know the line that well.
   ///
@@ -272,7 +272,7 @@ class RayCastAll : private RayCast {
   bool isInside() const { return along_ > 0 || detail::isInside(polygon_.fill, winding_); }
 
   /// An edge that may meet the ray's line before the ray's end.
-  void add(std::size_t edge) {
+  void add(EdgePosition edge) {
     const FourEnds ends = endsWith(edge);
     const int v = ends.sign(0, 1, 2), w = ends.sign(0, 1, 3);
     if (v * w > 0) return;
@@ -296,7 +296,7 @@ class RayCastAll : private RayCast {
       events_.push_back({&pose_, {ends.exact(2).local, ends.exact(3).local}, edge, fractionOf(ends), turn, 0});
     }
   }
-  Event eventAt(const PosedPoint& point, std::size_t edge, std::int8_t along) const {
+  Event eventAt(const PosedPoint& point, EdgePosition edge, std::int8_t along) const {
     Event event{point.pose, {point.local, point.local}, edge, 0, 0, along};
     event.fraction = std::clamp(fractionExact(ray(), event.segment()), 0.0, 1.0);
     return event;

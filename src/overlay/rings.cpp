@@ -21,7 +21,7 @@ bool isLower(const Vec2& p, const Vec2& q) { return p.y() < q.y() || (p.y() == q
 int windingBelow(const PolygonData& polygon, const Vec2& p) {
   int winding = 0;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
       const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
       const bool from_left = v.x() <= p.x(), to_left = w.x() <= p.x();
       if (from_left == to_left) continue;
@@ -49,13 +49,13 @@ std::int8_t sideOf(const PolygonData& polygon, std::size_t ring) {
 
 /// What a ring turns by at its corners, in full turns, away from the region where its side is known.
 double turningOf(const PolygonData& polygon, std::size_t ring, std::int8_t side) {
-  const std::size_t begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
-  const auto along = [&](std::size_t e) {
+  const EdgePosition begin = polygon.edgeBegin(ring), end = polygon.edgeEnd(ring);
+  const auto along = [&](EdgePosition e) {
     return Vec2(polygon.path[e + 1] * polygon.inverse_unit - polygon.path[e] * polygon.inverse_unit);
   };
   double turned = 0;
   Vec2 incoming = Vec2::Zero();
-  for (std::size_t k = begin; k < 2 * end - begin; ++k) {  // around twice: what comes before the first edge?
+  for (EdgePosition k = begin; k < 2 * end - begin; ++k) {  // around twice: what comes before the first edge?
     const Vec2 outgoing = along(k < end ? k : k - end + begin);
     if (outgoing.isZero(0)) continue;
     const double turn = std::atan2(cross(incoming, outgoing), incoming.dot(outgoing));

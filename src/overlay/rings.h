@@ -29,7 +29,7 @@ const RegionSides& regionSidesOf(const PolygonData& polygon);
 std::vector<std::uint32_t> verticesByPlace(const PolygonData& polygon);
 
 /// Whether two edges of a path have an end in common and nothing else.
-inline bool meetAtVertex(const Path& path, std::size_t e, std::size_t f) {
+inline bool meetAtVertex(const Path& path, EdgePosition e, EdgePosition f) {
   for (const std::size_t i : {e, e + 1})
     for (const std::size_t j : {f, f + 1})
       if (path[i] == path[j]) return orientation(path[i], path[2 * e + 1 - i], path[2 * f + 1 - j]) != 0;
@@ -41,7 +41,7 @@ template <typename Visit>
 void forEachOwnCrossing(const PolygonData& polygon, Visit visit) {
   const Pose still = Pose::Identity();
   const PosedPair itself(polygon, still, polygon, still);
-  forEachPair(itself, 0, [&](double, std::size_t e, std::size_t f) {
+  forEachPair(itself, 0, [&](double, EdgePosition e, EdgePosition f) {
     const bool meets = e < f && edgeAfter(polygon, e) != f && edgeAfter(polygon, f) != e &&
                        !meetAtVertex(polygon.path, e, f) && edgesMeet(itself, e, f);
     return meets && !visit(e, f) ? -1.0 : 0.0;

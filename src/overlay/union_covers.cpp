@@ -25,10 +25,10 @@ class CoverSearch {
 
   bool isCovered() {
     for (std::size_t ring = 0; ring < part_.ringCount(); ++ring) {
-      const std::size_t begin = part_.edgeBegin(ring);
+      const EdgePosition begin = part_.edgeBegin(ring);
       const auto holdsBegin = [&](const PosedPair& pair) { return holdsPoint(pair, part_.path[begin]); };
       if (beginsPoint(part_, begin) && std::none_of(pairs_.begin(), pairs_.end(), holdsBegin)) return false;
-      for (std::size_t edge = begin; edge < part_.edgeEnd(ring); ++edge)
+      for (EdgePosition edge = begin; edge < part_.edgeEnd(ring); ++edge)
         if (sides_.of(EdgeSides::A, edge).hasAny(&EdgeSides::Piece::isUncovered)) return false;
     }
     if (part_.isDegenerate()) return true;
@@ -44,7 +44,7 @@ class CoverSearch {
     for (std::size_t area = 1; is_clear && area <= pairs_.size(); ++area) {
       const PosedPair& pair = pairs_[area - 1];
       const bool swaps = pair.a.unit < pair.b.unit;  // forEachPair wants the larger one first
-      forEachPair(swaps ? pair.back() : pair, margin_, [&](double, std::size_t i, std::size_t j) {
+      forEachPair(swaps ? pair.back() : pair, margin_, [&](double, EdgePosition i, EdgePosition j) {
         if (swaps) std::swap(i, j);
         if (edgesWithin(pair, i, j, margin_, 0, true)) is_clear = !sides_.of(area, j).hasBoundaryWithin(i, margin_);
         return is_clear ? margin_ : -1.0;
@@ -75,7 +75,7 @@ class CoverSearch {
     const Vec2 at = polygon.inUnits({center.x, center.y});
     const double reach = part_.reach * (1 + 4 * kLargestDefect) + 2 * center.error;
     bool has_gap = false;
-    forEachEdgeNear(polygon, at, at, reach * polygon.inverse_unit, [&](std::size_t edge) {
+    forEachEdgeNear(polygon, at, at, reach * polygon.inverse_unit, [&](EdgePosition edge) {
       return !(has_gap = sides_.of(area, edge).hasAny(&EdgeSides::Piece::isUncovered));
     });
     return has_gap;

@@ -125,9 +125,9 @@ inline void countDown(Certificate& cache, const PolygonData& first, const Pose& 
 
 /// The aims of a search for a certificate.
 struct CertificateWish {
-  double lookahead;                         ///< the clearance, beyond the margin, that is of use
-  bool wants_clearance;                     ///< false: a clearance would be of no use
-  std::ptrdiff_t edge_a = -1, edge_b = -1;  ///< tried first, unless -1
+  double lookahead;                                 ///< the clearance, beyond the margin, that is of use
+  bool wants_clearance;                             ///< false: a clearance would be of no use
+  EdgePosition edge_a = kNoEdge, edge_b = kNoEdge;  ///< tried first, unless kNoEdge
 };
 
 /// Finds what a Certificate says of these poses: an Outcome whose clearance is a world length, 0 of a hit by the

@@ -36,17 +36,16 @@ std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double mar
 Outcome findCloseCertificate(const PosedPair& placement, double defect, const CollideOptions& options,
                              const CertificateWish& wish) {
   const EdgeTest test(placement, options);
-  const auto hit = [&](std::ptrdiff_t edge_a, std::ptrdiff_t edge_b) {
-    const double depth = crossingDepth(placement, static_cast<std::size_t>(edge_a), static_cast<std::size_t>(edge_b));
+  const auto hit = [&](EdgePosition edge_a, EdgePosition edge_b) {
+    const double depth = crossingDepth(placement, edge_a, edge_b);
     return Outcome{true, depth, edge_a, edge_b};
   };
-  if (wish.edge_a >= 0 && wish.edge_b >= 0)
-    if (test(static_cast<std::size_t>(wish.edge_a), static_cast<std::size_t>(wish.edge_b)))
-      return hit(wish.edge_a, wish.edge_b);
+  if (wish.edge_a != kNoEdge && wish.edge_b != kNoEdge && test(wish.edge_a, wish.edge_b))
+    return hit(wish.edge_a, wish.edge_b);
   const Wanted wanted = wish.wants_clearance ? Wanted::Clearance : Wanted::Answer;
   const Outcome outcome = collideClose(placement, defect, test, wish.lookahead, wanted);
   assert(!(outcome.clearance < 0));
-  if (outcome.edge_a >= 0 && outcome.edge_b >= 0) return hit(outcome.edge_a, outcome.edge_b);
+  if (outcome.edge_a != kNoEdge && outcome.edge_b != kNoEdge) return hit(outcome.edge_a, outcome.edge_b);
   return outcome;
 }
 
@@ -107,10 +106,10 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
   remember(cache, a, pose_a, b, pose_b, found.collides, found.clearance);
   // The last hit's edges meet again: that costs less than the query, unless all edges are tested at once.
   const bool hits_again =
-      found.collides && found.edge_b >= 0 && found.edge_a == wish.edge_a && found.edge_b == wish.edge_b;
+      found.collides && found.edge_b != kNoEdge && found.edge_a == wish.edge_a && found.edge_b == wish.edge_b;
   if (hits_again && a.path.size() > SmallPolygon::kMost + 1) cache.was_sought = false;
-  cache.first_edge = static_cast<std::int32_t>(found.edge_a);
-  cache.second_edge = static_cast<std::int32_t>(found.edge_b);
+  cache.first_edge = found.edge_a;
+  cache.second_edge = found.edge_b;
   return found.collides;
 }
 

@@ -36,9 +36,9 @@ bool arePaidFor(const PolygonData& a, const PolygonData& b) {
 
 /// Edges [begin, end) of one ring, at most kMost; boxes are along the axes of a's frame.
 struct Chain {
-  static constexpr std::size_t kMost = 8;
+  static constexpr EdgePosition kMost = 8;
 
-  std::uint32_t begin, end;
+  EdgePosition begin, end;
   Bounds box;
 };
 
@@ -51,18 +51,17 @@ class Chains {
     if (count > kFew) many_.resize(count);
     Chain* chain = begin_ = count > kFew ? many_.data() : few_;
     for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring) {
-      const std::size_t end = polygon.edgeEnd(ring);
+      const EdgePosition end = polygon.edgeEnd(ring);
       Double2 p = point(polygon.edgeBegin(ring));
-      for (std::size_t e = polygon.edgeBegin(ring); e < end; ++chain) {
-        const std::size_t last = std::min(e + Chain::kMost, end);
-        const auto begin = static_cast<std::uint32_t>(e);
+      for (EdgePosition e = polygon.edgeBegin(ring); e < end; ++chain) {
+        const EdgePosition begin = e, last = std::min(e + Chain::kMost, end);
         Double2 low = p, high = p;
         while (e < last) {
           p = point(++e);
           low = smaller(low, p);
           high = larger(high, p);
         }
-        *chain = {begin, static_cast<std::uint32_t>(last), Bounds::between(low - grown, high + grown)};
+        *chain = {begin, last, Bounds::between(low - grown, high + grown)};
         box_ = chain == begin_ ? chain->box : unite(box_, chain->box);
       }
     }
@@ -112,8 +111,8 @@ bool findMeetingEdges(const EdgeTest& test, const Chain& chain_a, const Chain& c
     for (const Chain* edge_b = edges_b; edge_b != end_b; ++edge_b) {
       if (!box.meets(edge_b->box) || !test(i, edge_b->begin)) continue;
       outcome.collides = true;
-      outcome.edge_a = static_cast<std::ptrdiff_t>(i);
-      outcome.edge_b = static_cast<std::ptrdiff_t>(edge_b->begin);
+      outcome.edge_a = i;
+      outcome.edge_b = edge_b->begin;
       return true;
     }
   }

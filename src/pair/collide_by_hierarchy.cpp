@@ -28,16 +28,16 @@ Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double looka
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
   const double accept = at.within(test.options.margin + test.options.tolerance);
   const double outside = distanceFromRoot(tree.region, place);
-  if (outside > limit) return {false, at.inWorld(outside, test.a.unit), -1, -1};
+  if (outside > limit) return {false, at.inWorld(outside, test.a.unit)};
   const bool may_be_inside = !(outside > 0);
   if (may_be_inside && wanted != Wanted::Edges) {
     if (const InnerDiscs* discs = innerDiscsIfPaid(test.a)) {
       const double depth = depthInDiscs(*discs, place);
-      if (depth > 0 || -depth < accept) return {true, at.inWorld(std::max(depth, 0.0), test.a.unit), -1, -1};
+      if (depth > 0 || -depth < accept) return {true, at.inWorld(std::max(depth, 0.0), test.a.unit)};
     }
   }
   DescentResult found = findEdgeNear(tree, place, limit, {&test, &EdgeTest::meetDegenerate, reach, accept});
-  found.edge_b = static_cast<std::ptrdiff_t>(test.b.degenerate_edge);
+  found.edge_b = test.b.degenerate_edge;
   return outcomeOf(found, may_be_inside, at, test, wanted);
 }
 
@@ -55,9 +55,9 @@ Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookah
 
 Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   if (!test.a.isDegenerate()) return collidePoint(at, test, lookahead, wanted);
-  const std::size_t i = test.a.degenerate_edge, j = test.b.degenerate_edge;
+  const EdgePosition i = test.a.degenerate_edge, j = test.b.degenerate_edge;
   if (!test(i, j)) return Outcome();
-  return {true, 0, static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
+  return {true, 0, i, j};
 }
 
 Outcome collideByHierarchy(const PosedPair& pair, const CollideOptions& options, double lookahead, Wanted wanted) {

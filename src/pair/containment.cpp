@@ -36,30 +36,30 @@ struct DiscOfB {
   double x, y, radius;
 };
 
-/// The position of the first edge of the first ring that starts inside; -1 if there is none. `disc()` is around all
+/// The first edge of the first ring that starts inside; kNoEdge if there is none. `disc()` is around all
 /// starts that may be inside. Those that isNear(p) leaves are located.
 template <typename MakeDisc, typename IsNear, typename IsInside>
-[[gnu::always_inline]] inline std::ptrdiff_t firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear,
-                                                         IsInside isInside) {
+[[gnu::always_inline]] inline EdgePosition firstInside(const PolygonData& polygon, MakeDisc disc, IsNear isNear,
+                                                       IsInside isInside) {
   std::size_t located = 0;
-  const auto starts_inside = [&](std::size_t edge) {
+  const auto starts_inside = [&](EdgePosition edge) {
     const Vec2& p = polygon.path[edge];
     return isNear(p) && (++located, isInside(p));
   };
   if (const RingStarts* starts = ringStarts(polygon)) {
     const DiscOfB around = disc();
-    for (const std::uint32_t edge : starts->near({around.x, around.y}, around.radius))
+    for (const EdgePosition edge : starts->near({around.x, around.y}, around.radius))
       if (starts_inside(edge)) return edge;
-    return -1;
+    return kNoEdge;
   }
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-    if (const std::size_t edge = polygon.edgeBegin(ring); starts_inside(edge)) return static_cast<std::ptrdiff_t>(edge);
+    if (const EdgePosition edge = polygon.edgeBegin(ring); starts_inside(edge)) return edge;
   countRings(polygon, polygon.ringCount(), located);
-  return -1;
+  return kNoEdge;
 }
 
 /// Of b in a, on its boundary or inside.
-std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
+EdgePosition ringOfBInside(const PosedPair& pair, Location least) {
   return firstInside(
       pair.b, [&] { return DiscOfB(pair.back()); },
       [&](const Vec2& p) { return !outsideRoot(pair.a, seenFromA(pair, p).approx); },
@@ -67,7 +67,7 @@ std::ptrdiff_t ringOfBInside(const PosedPair& pair, Location least) {
 }
 
 /// Of a in b. Most starts are outside of b's disc, which is known in a's frame.
-std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
+EdgePosition ringOfAInside(const PosedPair& pair) {
   const DiscOfB disc(pair);
   return firstInside(
       pair.a, [&] { return disc; }, [&](const Vec2& p) { return disc.holds(p); },
@@ -76,14 +76,14 @@ std::ptrdiff_t ringOfAInside(const PosedPair& pair) {
 
 }  // namespace
 
-std::ptrdiff_t ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
+EdgePosition ringInside(const PosedPair& pair) { return ringOfBInside(pair, Location::Inside); }
 
 Outcome findContainment(const PosedPair& pair) {
   Outcome outcome;
   // A segment holds nothing that doesn't meet it.
   if (!pair.a.isDegenerate()) outcome.edge_b = ringOfBInside(pair, Location::Boundary);
-  if (outcome.edge_b < 0 && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
-  outcome.collides = outcome.edge_a >= 0 || outcome.edge_b >= 0;
+  if (outcome.edge_b == kNoEdge && !pair.b.isDegenerate()) outcome.edge_a = ringOfAInside(pair);
+  outcome.collides = outcome.edge_a != kNoEdge || outcome.edge_b != kNoEdge;
   return outcome;
 }
 

@@ -10,8 +10,8 @@ namespace tricover::detail {
 /// clearance 0.
 Outcome findContainment(const PosedPair& pair);
 
-/// The position of the first edge of the first ring of b that starts inside of a, and not on its boundary; -1 if none
+/// The first edge of the first ring of b that starts inside of a, and not on its boundary; kNoEdge if none
 /// does. Of rings that are connected only one may be asked, which stands for them where they don't meet a's edges.
-std::ptrdiff_t ringInside(const PosedPair& pair);
+EdgePosition ringInside(const PosedPair& pair);
 
 }  // namespace tricover::detail

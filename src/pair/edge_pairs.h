@@ -27,9 +27,9 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit, Narrow narrow
   const UnitPlacement at = pair.inUnits();
   Call call{visit, narrow, at, pair.a.unit};
   PairVisitor visitor{&call,
-                      [](void* context, double gap, std::uint32_t edge_a, std::uint32_t edge_b) {
+                      [](void* context, double gap, EdgePosition edge_a, EdgePosition edge_b) {
                         const Call& c = *static_cast<Call*>(context);
-                        return c.at.reach(c.visit(gap * c.unit, std::size_t{edge_a}, std::size_t{edge_b}));
+                        return c.at.reach(c.visit(gap * c.unit, edge_a, edge_b));
                       },
                       nullptr};
   constexpr bool kNearest = !std::is_same_v<Narrow, std::nullptr_t>;

@@ -13,15 +13,15 @@ struct EdgeTest {
       : pair(pair_), a(pair.a), b(pair.b), options(options_) {}
   EdgeTest(const EdgeTest&) = delete;
 
-  bool operator()(std::size_t i, std::size_t j) const {
+  bool operator()(EdgePosition i, EdgePosition j) const {
     return edgesWithin(pair, i, j, options.margin, options.tolerance, options.touching == Touching::Allowed);
   }
 
   /// As descents call it; the second one where b is the degenerate polygon.
-  static bool meet(const void* context, std::size_t i, std::size_t j) {
+  static bool meet(const void* context, EdgePosition i, EdgePosition j) {
     return (*static_cast<const EdgeTest*>(context))(i, j);
   }
-  static bool meetDegenerate(const void* context, std::size_t i) {
+  static bool meetDegenerate(const void* context, EdgePosition i) {
     return meet(context, i, static_cast<const EdgeTest*>(context)->b.degenerate_edge);
   }
 

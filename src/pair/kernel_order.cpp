@@ -18,7 +18,7 @@ std::vector<EdgeNumbers> sortedEdges(const PolygonData& polygon) {
   std::vector<EdgeNumbers> edges;
   edges.reserve(polygon.path.size());
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-    for (std::size_t e = polygon.edgeBegin(ring); e < polygon.edgeEnd(ring); ++e) {
+    for (EdgePosition e = polygon.edgeBegin(ring); e < polygon.edgeEnd(ring); ++e) {
       const Vec2 &v = polygon.path[e], &w = polygon.path[e + 1];
       const EdgeNumbers forth{v.x(), v.y(), w.x(), w.y()}, back{w.x(), w.y(), v.x(), v.y()};
       edges.push_back(areInOrder(back, forth) ? back : forth);

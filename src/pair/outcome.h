@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
+#include "polygon/edge_position.h"
 
 namespace tricover::detail {
 
@@ -11,9 +11,9 @@ struct Outcome {
   /// Without a hit, a proven lower bound of the distance between any edge of a and any of b; on a hit without edges, of
   /// how far points may move until there is none. 0 if none was found.
   double clearance = 0;
-  /// On a hit: the positions of two edges in reach of each other; or, in a containment, the contained ring's first edge
-  /// and -1. Both -1 if inner discs answered, or boxes within the tolerance.
-  std::ptrdiff_t edge_a = -1, edge_b = -1;
+  /// On a hit: two edges in reach of each other; or, in a containment, the contained ring's first edge
+  /// and kNoEdge. Both are kNoEdge if inner discs answered, or boxes within the tolerance.
+  EdgePosition edge_a = kNoEdge, edge_b = kNoEdge;
 };
 
 }  // namespace tricover::detail

@@ -13,7 +13,7 @@ namespace tricover::detail {
 
 namespace {
 
-FourEnds endsOf(const PosedPair& pair, std::size_t i, std::size_t j) {
+FourEnds endsOf(const PosedPair& pair, EdgePosition i, EdgePosition j) {
   const Vec2 *p = &pair.a.path[i], *q = &pair.b.path[j];
   return {
       {pair.fromA(p[0]), pair.fromA(p[1]), pair.fromB(q[0]), pair.fromB(q[1])}, {&pair.pose_a, p}, {&pair.pose_b, q}};
@@ -56,9 +56,9 @@ double endsError(const PosedPair& pair) {
 
 }  // namespace
 
-bool edgesMeet(const PosedPair& pair, std::size_t i, std::size_t j) { return endsOf(pair, i, j).meet(); }
+bool edgesMeet(const PosedPair& pair, EdgePosition i, EdgePosition j) { return endsOf(pair, i, j).meet(); }
 
-bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double reach, double tolerance, bool strictly) {
+bool edgesWithin(const PosedPair& pair, EdgePosition i, EdgePosition j, double reach, double tolerance, bool strictly) {
   const FourEnds ends = endsOf(pair, i, j);
   if (reach == 0 && tolerance == 0) return ends.meet();
   // The rounded distance d between an end and the other edge. An upper bound always holds, and is above the truth, for
@@ -81,9 +81,9 @@ bool edgesWithin(const PosedPair& pair, std::size_t i, std::size_t j, double rea
   return within(0, 2, 3) || within(1, 2, 3) || within(2, 0, 1) || within(3, 0, 1);
 }
 
-int crossingDirection(const PosedPair& pair, std::size_t i, std::size_t j) { return crossingOf(endsOf(pair, i, j)); }
+int crossingDirection(const PosedPair& pair, EdgePosition i, EdgePosition j) { return crossingOf(endsOf(pair, i, j)); }
 
-double crossingDepth(const PosedPair& pair, std::size_t i, std::size_t j) {
+double crossingDepth(const PosedPair& pair, EdgePosition i, EdgePosition j) {
   const FourEnds ends = endsOf(pair, i, j);
   if (crossingOf(ends) == 0) return 0;
   // They cross until an end of one is on the other.

@@ -13,7 +13,7 @@ RingStarts::RingStarts(const PolygonData& polygon) : polygon_(polygon) {
   const Hierarchy& hierarchy = hierarchyOf(polygon);
   std::vector<std::uint32_t> ring_of(polygon.path.size());
   for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) ring_of[e] = static_cast<std::uint32_t>(r);
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) ring_of[e] = static_cast<std::uint32_t>(r);
   UnionFind connected(polygon.ringCount());
   std::size_t count = polygon.ringCount();
   // In a mesh, each edge meets some thirty others. Where there are more, the connections found so far will do.
@@ -21,7 +21,7 @@ RingStarts::RingStarts(const PolygonData& polygon) : polygon_(polygon) {
   std::size_t pairs_left = kPairsPerEdge * polygon.path.size();
   const Pose still = Pose::Identity();
   const PosedPair itself(polygon, still, polygon, still);
-  forEachPair(itself, 0, [&](double, std::size_t i, std::size_t j) {
+  forEachPair(itself, 0, [&](double, EdgePosition i, EdgePosition j) {
     const std::size_t r = connected.find(ring_of[i]), s = connected.find(ring_of[j]);
     if (r != s && edgesMeet(itself, i, j)) {
       connected.join(r, s);
@@ -29,7 +29,7 @@ RingStarts::RingStarts(const PolygonData& polygon) : polygon_(polygon) {
     }
     return --pairs_left == 0 || count == 1 ? -1 : 0;
   });
-  const auto isStart = [&](std::size_t edge) {
+  const auto isStart = [&](EdgePosition edge) {
     const std::size_t ring = ring_of[edge];
     return edge == polygon.edgeBegin(ring) && connected.find(ring) == ring;
   };
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> RingStarts::near(const Vec2& point, double radius) co
   const double error = polygon_.fitsUnit() ? 0x1p-50 * (at.lpNorm<1>() + 1) : std::numeric_limits<double>::infinity();
   visitMarkedNear(
       hierarchyOf(polygon_), {at.x(), at.y(), error}, radius * polygon_.inverse_unit, marked_.data(),
-      [](void* to, std::uint32_t edge) { static_cast<std::vector<std::uint32_t>*>(to)->push_back(edge); }, &edges);
+      [](void* to, EdgePosition edge) { static_cast<std::vector<std::uint32_t>*>(to)->push_back(edge); }, &edges);
   std::sort(edges.begin(), edges.end());
   return edges;
 }

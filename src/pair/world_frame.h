@@ -15,16 +15,16 @@ class WorldFrame {
 
   Vec2 fromA(const Vec2& local) const { return linear_a_ * (pair_.a.inUnits(local) * scale_a_) + origin_a_; }
   Vec2 fromB(const Vec2& local) const { return linear_b_ * (pair_.b.inUnits(local) * scale_b_); }
-  Vec2 edgeOfA(std::size_t position, double t) const { return between(edgeEndsOfA(position), t); }
-  Vec2 edgeOfB(std::size_t position, double t) const { return between(edgeEndsOfB(position), t); }
+  Vec2 edgeOfA(EdgePosition position, double t) const { return between(edgeEndsOfA(position), t); }
+  Vec2 edgeOfB(EdgePosition position, double t) const { return between(edgeEndsOfB(position), t); }
 
   using Ends = detail::Ends;
-  Ends edgeEndsOfA(std::size_t i) const { return {fromA(pair_.a.path[i]), fromA(pair_.a.path[i + 1])}; }
-  Ends edgeEndsOfB(std::size_t j) const { return {fromB(pair_.b.path[j]), fromB(pair_.b.path[j + 1])}; }
+  Ends edgeEndsOfA(EdgePosition i) const { return {fromA(pair_.a.path[i]), fromA(pair_.a.path[i + 1])}; }
+  Ends edgeEndsOfB(EdgePosition j) const { return {fromB(pair_.b.path[j]), fromB(pair_.b.path[j + 1])}; }
 
   /// The same by side: 0 is a, 1 is b.
   Vec2 from(int side, const Vec2& local) const { return side == 0 ? fromA(local) : fromB(local); }
-  Ends edgeEnds(int side, std::size_t position) const {
+  Ends edgeEnds(int side, EdgePosition position) const {
     return side == 0 ? edgeEndsOfA(position) : edgeEndsOfB(position);
   }
 

@@ -26,10 +26,10 @@ constexpr std::uint64_t kHeld = 3;
 constexpr std::size_t kPerWord = 32;
 
 std::vector<std::uint64_t> influenceMask(const PolygonData& a, const IncludedPoint& centroid, double length,
-                                         std::vector<std::size_t>& held) {
+                                         std::vector<EdgePosition>& held) {
   std::vector<std::uint64_t> mask((a.path.size() + kPerWord - 1) / kPerWord, 0);
   for (std::size_t r = 0; r < a.ringCount(); ++r)
-    for (std::size_t e = a.edgeBegin(r); e < a.edgeEnd(r); ++e) {
+    for (EdgePosition e = a.edgeBegin(r); e < a.edgeEnd(r); ++e) {
       const Vec2 &v = a.path[e], &w = a.path[e + 1];
       std::uint64_t state = kHeld;
       if (inBoundedArea(v, w, centroid.approx, length)) {
@@ -45,16 +45,16 @@ std::vector<std::uint64_t> influenceMask(const PolygonData& a, const IncludedPoi
 /// The detailed test: an edge of a whose area holds the centroid, against the edges of b on whose ends the sign of s
 /// (their side of that edge's line) changes, or isn't certain. With a margin or a tolerance an edge may be in reach
 /// without a change.
-bool detailedTest(const PosedPair& pair, const std::vector<std::size_t>& held, const CollideOptions& options) {
+bool detailedTest(const PosedPair& pair, const std::vector<EdgePosition>& held, const CollideOptions& options) {
   const bool any_edge = options.margin > 0 || options.tolerance > 0;
   std::vector<ApproxPoint> moved;
   moved.reserve(pair.b.path.size());
   for (const Vec2& p : pair.b.path) moved.push_back(pair.fromB(p));
-  for (const std::size_t i : held) {
+  for (const EdgePosition i : held) {
     const ApproxPoint v = pair.fromA(pair.a.path[i]), w = pair.fromA(pair.a.path[i + 1]);
     for (std::size_t r = 0; r < pair.b.ringCount(); ++r) {
       int sign = orientFilter(v, w, moved[pair.b.edgeBegin(r)]);
-      for (std::size_t j = pair.b.edgeBegin(r); j < pair.b.edgeEnd(r); ++j) {
+      for (EdgePosition j = pair.b.edgeBegin(r); j < pair.b.edgeEnd(r); ++j) {
         const int next = orientFilter(v, w, moved[j + 1]);
         if ((any_edge || sign != next || sign == kUncertain) &&
             edgesWithin(pair, i, j, options.margin, options.tolerance, options.touching == Touching::Allowed))
@@ -81,7 +81,7 @@ bool collideByPaper(const PosedPair& pair, KeptMask* kept, const CollideOptions&
   // Second step. Grown by the margin; rounded outwards, the areas by what the centroid is known to, as well.
   const IncludedPoint centroid = seenFromA(pair, pair.b.origin);
   const double length = (pair.b.reach + options.margin) * (1 + 2.1 * kLargestDefect);
-  std::vector<std::size_t> held;
+  std::vector<EdgePosition> held;
   const std::vector<std::uint64_t> mask = influenceMask(pair.a, centroid, length, held);
   if (held.empty()) {
     // No edge of a touches b's bounding disc: the disc, all of b with it, lies where the centroid lies. An unchanged

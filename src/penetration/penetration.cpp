@@ -27,20 +27,22 @@ namespace {
 
 /// Where an edge and a vertex part last, by side (0: a, 1: b).
 struct Features {
-  Vec2 points[2];        ///< in the space's units
-  Vec2 normal;           ///< unit
-  std::size_t edges[2];  ///< positions: what they are on, or near it
+  Vec2 points[2];         ///< in the space's units
+  Vec2 normal;            ///< unit
+  EdgePosition edges[2];  ///< what they are on, or near it
 };
 
 /// After the translation t: an edge of `side`, from one vertex to another, straight on where several are between these,
 /// and a vertex of the other. The vertex may come beyond the edge's end only where an edge at it is parallel: that one
 /// is taken.
-Features featuresOf(const TranslationSpace& space, const Vec2& t, int side, std::size_t edge, std::size_t start,
-                    std::size_t end, std::size_t vertex) {
+Features featuresOf(const TranslationSpace& space, const Vec2& t, int side, EdgePosition edge, std::size_t start,
+                    std::size_t end, EdgePosition vertex) {
   const int other = 1 - side;
   const Vec2 v = space.side(side).vertex(start), w = space.side(side).vertex(end), by = side == 0 ? t : Vec2(-t);
   const Vec2 p = nearestOnSegment(space.side(other).vertex(vertex) + by, v, w);
-  const auto endsOf = [&](std::size_t e) { return Ends{space.side(other).vertex(e), space.side(other).vertex(e + 1)}; };
+  const auto endsOf = [&](EdgePosition e) {
+    return Ends{space.side(other).vertex(e), space.side(other).vertex(e + 1)};
+  };
   const Vec2 across(v.y() - w.y(), w.x() - v.x());
   Features features{{p, p}, t.normalized(), {edge, edge}};
   features.points[other] -= by;
@@ -54,8 +56,8 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
   const int side = gap.of_a ? 0 : 1, other = 1 - side;
   const PolygonData& own = space.side(side).polygon;
   const ConvexOutline& outline = convexOutlineOf(own);
-  const std::size_t corner = convexOutlineOf(space.side(other).polygon).corners[gap.deepest],
-                    count = outline.corners.size();
+  const EdgePosition corner = convexOutlineOf(space.side(other).polygon).corners[gap.deepest];
+  const std::size_t count = outline.corners.size();
   const PosedPair seen = side == 0 ? pair : pair.back();
   const ApproxPoint deepest = seenFromA(seen, space.side(other).polygon.path[corner]).approx;
   const Vec2 t = gap.normal * (gap.depth / space.frame.unit()), vertex = space.side(other).vertex(corner);
@@ -98,8 +100,8 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
           return true;
         });
   const bool is_on = least <= 64 * noise;
-  const std::size_t edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
-                    vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
+  const EdgePosition edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
+                     vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
   Features features = featuresOf(space, is_on ? t : nearestOnSegment(t, nearest.v, nearest.w), nearest.vertex_of_a,
                                  edge, edge, edge + 1, vertex);
   const Vec2 way = t.norm() > noise ? t : shortest.parting, along = nearest.w - nearest.v;
@@ -113,22 +115,22 @@ Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
 }
 
 /// The number of the edge that a feature's point is on: the expected one, or else the nearest.
-std::ptrdiff_t edgeAt(const TranslationSpace& space, const Features& features, int side) {
+EdgeIndex edgeAt(const TranslationSpace& space, const Features& features, int side) {
   const PolygonData& polygon = space.side(side).polygon;
   const double error = 4 * space.noise();
-  std::size_t nearest = features.edges[side];
-  const auto distanceTo = [&](std::size_t e) {
+  EdgePosition nearest = features.edges[side];
+  const auto distanceTo = [&](EdgePosition e) {
     return squaredDistanceToSegment(features.points[side], space.side(side).vertex(e), space.side(side).vertex(e + 1));
   };
   double least = distanceTo(nearest);
   for (std::size_t r = 0; r < polygon.ringCount() && !(least <= error * error); ++r)
-    for (std::size_t e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
       const double square = distanceTo(e);
       if (!(square < least)) continue;
       least = square;
       nearest = e;
     }
-  return static_cast<std::ptrdiff_t>(polygon.edgeNumber(nearest));
+  return polygon.edgeNumber(nearest);
 }
 
 /// Where lengths overflow.
@@ -187,12 +189,9 @@ Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& h
 /// near. Where that is nothing but rounding, b's S tells the side.
 NearestContact nearestContact(const PosedPair& pair, const DistanceQuery& query) {
   const DistanceResult nearest = distanceInOrder(PosedVertices(pair), query);
-  const auto position = [](const PolygonData& polygon, EdgeIndex edge) {
-    return polygon.edgePosition(static_cast<std::size_t>(edge));
-  };
   const WorldFrame frame(pair);
-  const WorldFrame::Ends edge_a = frame.edgeEndsOfA(position(pair.a, nearest.edge_a)),
-                         edge_b = frame.edgeEndsOfB(position(pair.b, nearest.edge_b));
+  const WorldFrame::Ends edge_a = frame.edgeEndsOfA(pair.a.edgePosition(nearest.edge_a)),
+                         edge_b = frame.edgeEndsOfB(pair.b.edgePosition(nearest.edge_b));
   const double error = 4 * frame.error();
   // An end and the inner of an edge may be as near but for rounding: those count that distance() names.
   NearestPlaces at = nearestPlaces(edge_a, edge_b);

@@ -151,7 +151,7 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
 }
 
 /// The other one's corners are asked from `at` on. Unsure if the deepest isn't found.
-SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face,
+SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face,
                                                    Double2& deepest) {
   const AxisSide &own = side(of_a), &other = side(!of_a);
   const Double2 outwards = own.ring.normal(edge);

@@ -23,7 +23,7 @@ struct AxisSide {
   /// The point in the polygon's own frame, off by at most SeparatingAxes::error().
   Double2 inOwnFrame(Double2 p) const { return into_frame(p - ring.shift); }
   /// Outwards from an edge, a unit vector.
-  Vec2 normalOf(std::uint32_t edge) const {
+  Vec2 normalOf(EdgePosition edge) const {
     const Double2 normal = ring.normal(edge);
     return Vec2(normal[0], normal[1]).normalized();
   }
@@ -38,7 +38,7 @@ struct AxisSide {
 struct FaceDepth {
   bool of_a;
   bool certain;  ///< no other corner may be as deep
-  std::uint32_t edge, deepest;
+  EdgePosition edge, deepest;
   double depth;  ///< in the world
 };
 
@@ -73,7 +73,7 @@ class SeparatingAxes {
 
  private:
   Verdict lookBehindAll();
-  Verdict lookBehind(bool of_a, std::uint32_t edge, std::uint32_t at, FaceDepth& face, Double2& deepest);
+  Verdict lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face, Double2& deepest);
   std::uint32_t edgeTowardsB() const;
   void skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;

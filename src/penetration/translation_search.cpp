@@ -151,8 +151,8 @@ class PartingSearch {
     met_.insert(met_.begin(), meeting);
   }
   void keep(const Outcome& outcome) {
-    if (outcome.edge_a < 0 || outcome.edge_b < 0) return;
-    keep(space_.meetingOf(static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b)));
+    if (outcome.edge_a == kNoEdge || outcome.edge_b == kNoEdge) return;
+    keep(space_.meetingOf(outcome.edge_a, outcome.edge_b));
   }
 
   /// Whether the regions are apart after a translation; t becomes the one that was asked for.
@@ -170,10 +170,8 @@ class PartingSearch {
     const PosedPair pair = space_.at(t);
     radius += (t - center).norm() * (1 + 0x1p-40);
     const Outcome outcome = collideByHierarchy(pair, {}, 2 * radius * space_.frame.unit(), Wanted::Clearance);
-    const bool cross = outcome.collides && outcome.edge_a >= 0 && outcome.edge_b >= 0;
-    const double length =
-        cross ? crossingDepth(pair, static_cast<std::size_t>(outcome.edge_a), static_cast<std::size_t>(outcome.edge_b))
-              : outcome.clearance;
+    const bool cross = outcome.collides && outcome.edge_a != kNoEdge && outcome.edge_b != kNoEdge;
+    const double length = cross ? crossingDepth(pair, outcome.edge_a, outcome.edge_b) : outcome.clearance;
     const double unchanged = length / space_.frame.unit();
     if (outcome.collides) {
       keep(outcome);

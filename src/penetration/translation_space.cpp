@@ -28,7 +28,7 @@ void PlacedPolygon::prepare(const RegionSides* sides) {
   vertices_.reset(new PlacedVertex[polygon.path.size()]);
 }
 
-void PlacedPolygon::place(std::size_t i) const {
+void PlacedPolygon::place(EdgePosition i) const {
   const std::size_t ring = polygon.ringOf(i);
   PlacedVertex& placed = vertices_[i];
   is_placed_[i] = 1;
@@ -37,7 +37,7 @@ void PlacedPolygon::place(std::size_t i) const {
     placed.is_edge = beginsPoint(polygon, i);  // one edge without a length
     return;
   }
-  const std::size_t before = edgesAt(polygon, i).before;
+  const EdgePosition before = edgesAt(polygon, i).before;
   placed.is_edge = true;
   placed.incoming = way(before, before + 1);
   placed.outgoing = way(i, i + 1);
@@ -81,13 +81,13 @@ void TranslationSpace::prepareSearch(double farthest) {
 
 std::vector<TranslationSpace::Direction> TranslationSpace::directionsOf(const PlacedPolygon& vertices, double radius) {
   std::vector<Direction> directions;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
+  for (EdgePosition k = 0; k < vertices.size(); ++k) {
     if (!vertices[k].is_edge) continue;
     for (const int side : {1, -1}) {
       const Vec2 along = vertices[k].outgoing * side;
       if (side * vertices[k].side < 0) continue;
       const double reach = (radius + along.norm()) * (1 + 0x1p-20);
-      directions.push_back({turnOf(along), vertices[k].at, reach * reach, static_cast<std::uint32_t>(k)});
+      directions.push_back({turnOf(along), vertices[k].at, reach * reach, k});
     }
   }
   std::sort(directions.begin(), directions.end(),
@@ -135,10 +135,10 @@ std::vector<TranslationSpace::Segment> TranslationSpace::segmentsWithin(double r
   };
   const double farthest = radius + noise_;
   const std::vector<Direction> along_a = directionsOf(a_, farthest), along_b = directionsOf(b_, farthest);
-  for (std::size_t i = 0; i < a_.size(); ++i)
-    forEachEdgeBeside(a_[i], along_b, [&](std::size_t j) { show<true>(i, j, Vec2::Zero(), radius, add); });
-  for (std::size_t j = 0; j < b_.size(); ++j)
-    forEachEdgeBeside(b_[j], along_a, [&](std::size_t i) { show<false>(i, j, Vec2::Zero(), radius, add); });
+  for (EdgePosition i = 0; i < a_.size(); ++i)
+    forEachEdgeBeside(a_[i], along_b, [&](EdgePosition j) { show<true>(i, j, Vec2::Zero(), radius, add); });
+  for (EdgePosition j = 0; j < b_.size(); ++j)
+    forEachEdgeBeside(b_[j], along_a, [&](EdgePosition i) { show<false>(i, j, Vec2::Zero(), radius, add); });
   return segments;
 }
 
@@ -167,7 +167,7 @@ PosedPair TranslationSpace::at(Vec2& t) {
   return PosedPair(a_.polygon, pose_a_, b_.polygon, pose_b_);
 }
 
-TranslationSpace::MeetingEdges TranslationSpace::meetingOf(std::size_t i, std::size_t j) const {
+TranslationSpace::MeetingEdges TranslationSpace::meetingOf(EdgePosition i, EdgePosition j) const {
   const Vec2 &of_a = a_[i].outgoing, of_b = -b_[j].outgoing;
   Vec2 up_a = Vec2(-of_a.y(), of_a.x()).stableNormalized(), up_b = Vec2(of_b.y(), -of_b.x()).stableNormalized();
   if (up_a.dot(of_b) < 0) {

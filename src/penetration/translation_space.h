@@ -49,7 +49,7 @@ class PlacedPolygon {
   /// To be called before the following ones. sides: null if they are not needed.
   void prepare(const RegionSides* sides);
   std::size_t size() const { return is_placed_.size(); }
-  const PlacedVertex& operator[](std::size_t i) const {
+  const PlacedVertex& operator[](EdgePosition i) const {
     if (!is_placed_[i]) place(i);
     return vertices_[i];
   }
@@ -59,7 +59,7 @@ class PlacedPolygon {
   const double scale;  ///< its unit in the frame's
 
  private:
-  void place(std::size_t i) const;
+  void place(EdgePosition i) const;
   /// From vertices in units, since their difference may overflow.
   Vec2 way(std::size_t from, std::size_t to) const {
     const double inverse = polygon.inverse_unit;
@@ -92,7 +92,7 @@ class TranslationSpace {
   /// Free translations may be on its left, and on its right if it has both sides.
   struct Segment {
     Vec2 v, w;
-    std::size_t edge_a, edge_b;  ///< positions; the vertex is the start of its polygon's edge
+    EdgePosition edge_a, edge_b;  ///< positions; the vertex is the start of its polygon's edge
     bool vertex_of_a, both_sides;
   };
 
@@ -114,14 +114,14 @@ class TranslationSpace {
   };
 
   /// By two edges' positions.
-  MeetingEdges meetingOf(std::size_t i, std::size_t j) const;
+  MeetingEdges meetingOf(EdgePosition i, EdgePosition j) const;
 
   /// Calls meet(meeting) for each pair of edges that may meet at t, and visit(segment) for each convolution segment
   /// within `radius` of t, where `pair` is at(t). Either one ends it by returning false.
   template <typename Meet, typename Visit>
   void forEachSegment(const PosedPair& pair, const Vec2& t, double radius, Meet meet, Visit visit) const {
     const double limit = (radius + noise_) * frame.unit();
-    forEachPair(pair, limit, [&](double gap, std::size_t i, std::size_t j) {
+    forEachPair(pair, limit, [&](double gap, EdgePosition i, EdgePosition j) {
       if (gap <= 0 && !meet(meetingOf(i, j))) return -1.0;
       const bool goes_on = !a_[i].is_edge || !b_[j].is_edge ||
                            (show<true>(i, j, t, radius, visit) && show<false>(i, j, t, radius, visit));
@@ -166,7 +166,7 @@ class TranslationSpace {
   /// Segments go along a's edge, of which b's vertex may be moved to the left; and back along b's: where a's vertex is
   /// to its left b is moved to its right, and that is the segment's left.
   template <bool vertex_of_a, typename Visit>
-  bool show(std::size_t i, std::size_t j, const Vec2& t, double radius, Visit& visit) const {
+  bool show(EdgePosition i, EdgePosition j, const Vec2& t, double radius, Visit& visit) const {
     const PlacedVertex &of_a = a_[i], &of_b = b_[j];
     const Open open = vertex_of_a ? opening(of_b, of_a) : opening(of_a, of_b);
     if (!open.left && !open.right) return true;
@@ -189,7 +189,7 @@ class TranslationSpace {
     double turn;
     Vec2 start;
     double reach_square;  ///< vertices farther from its start aren't within a radius of it
-    std::uint32_t edge;
+    EdgePosition edge;
   };
   static std::vector<Direction> directionsOf(const PlacedPolygon& vertices, double radius);
   template <typename Visit>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "polygon/edge_position.h"
 #include "tricover/location.h"
 #include "tricover/pair_cache.h"
 #include "tricover/point_cache.h"
@@ -68,16 +69,16 @@ struct Certificate : Clearance {
   std::uint64_t second_id = 0;  ///< likewise
   double first_pose[6] = {1, 0, 0, 1, 0, 0};
   double second_pose[6] = {1, 0, 0, 1, 0, 0};
-  /// The edges of the last hit, as the kernel numbers them; -1 if there were none. They are tried first at the next
+  /// The edges of the last hit, if there was one. They are tried first at the next
   /// pose.
-  std::int32_t first_edge = -1, second_edge = -1;
+  EdgePosition first_edge = kNoEdge, second_edge = kNoEdge;
 };
 
 /// The features or edges that were nearest at the last distance() of two polygons, or crossed: tried first.
 struct DistanceHint {
   std::uint64_t first_id = 0;
   std::uint64_t second_id = 0;
-  std::uint32_t edge_a = 0, edge_b = 0;
+  EdgePosition edge_a = 0, edge_b = 0;
   std::uint8_t kind = 0;  ///< a kind of FeaturePair, or kNearEdges; 0: none
   BackOff back_off;
 };

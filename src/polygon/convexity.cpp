@@ -27,22 +27,22 @@ int turnAt(const Vec2& p, const Vec2& q, const Vec2& r, Double2 into, Double2 ou
 
 /// How many of the positions are corners, which come first then; 0 if it isn't convex. They take the place of the
 /// distinct vertices that they are of.
-std::size_t findCorners(const PolygonData& polygon, std::size_t* corners, int& direction) {
+std::size_t findCorners(const PolygonData& polygon, EdgePosition* corners, int& direction) {
   const Vec2* const path = polygon.path.data();
-  const auto at = [&](std::size_t position) { return load2(path[position].data()); };
+  const auto at = [&](EdgePosition position) { return load2(path[position].data()); };
   std::size_t n = 0;
-  for (std::size_t i = 0; i + 1 < polygon.path.size(); ++i) {
+  for (EdgePosition i = 0; i + 1 < polygon.path.size(); ++i) {
     corners[n] = i;
     n += bitsOf(at(i) == at(i + 1)) != 3 ? 1 : 0;
   }
   if (n < 3) return 0;
-  const std::size_t start[] = {corners[0], corners[1]};
+  const EdgePosition start[] = {corners[0], corners[1]};
   std::size_t count = 0;
   int turns_in_x = 0;
-  std::size_t before = start[0], middle = start[1];
+  EdgePosition before = start[0], middle = start[1];
   Double2 into = at(middle) - at(before);
   for (std::size_t i = 2; i < n + 2; ++i) {
-    const std::size_t after = i < n ? corners[i] : start[i - n];
+    const EdgePosition after = i < n ? corners[i] : start[i - n];
     const Vec2 &p = path[before], &q = path[middle], &r = path[after];
     const Double2 out = at(after) - at(middle);
     const int turn = turnAt(p, q, r, into, out);
@@ -86,11 +86,12 @@ double edgeDepthOf(const PolygonData& polygon) {
 
 Convexity::Convexity(const PolygonData& polygon) {
   constexpr std::size_t kFew = 32;
-  std::size_t few[kFew], count = 0;
+  EdgePosition few[kFew];
+  std::size_t count = 0;
   if (polygon.ringCount() == 1 && !polygon.fill.is_complement) {
-    std::vector<std::size_t> many;
+    std::vector<EdgePosition> many;
     if (polygon.path.size() > kFew) many.resize(polygon.path.size());
-    std::size_t* const found = many.empty() ? few : many.data();
+    EdgePosition* const found = many.empty() ? few : many.data();
     count = findCorners(polygon, found, direction);
     has_others = count > 0 && count + 1 < polygon.path.size();
     if (has_others) corners.assign(found, found + count);
@@ -107,7 +108,7 @@ Convexity::~Convexity() {
 
 const Convexity& findConvexity(const PolygonData& polygon) { return polygon.convexity.made<Convexity>(polygon); }
 
-std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {
+EdgePosition edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p) {
   const std::size_t count = polygon.path.size() - 1;
   const Vec2 point = polygon.inUnits(p), start = polygon.inUnits(polygon.path[begin]),
              way = polygon.inUnits(polygon.path[end]) - start;
@@ -120,15 +121,15 @@ std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_
     const double at = way.dot(polygon.inUnits(polygon.path[after(middle)]) - start);
     (at <= along && at < way.squaredNorm() ? low : high) = middle;
   }
-  return after(low);
+  return static_cast<EdgePosition>(after(low));
 }
 
 EdgeIndex edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p) {
-  const std::vector<std::size_t>& corners = convexityOf(polygon).corners;
+  const std::vector<EdgePosition>& corners = convexityOf(polygon).corners;
   return polygon.edgeName(edgeBeside(polygon, corners[k], corners[k + 1 < corners.size() ? k + 1 : 0], p));
 }
 
-EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, std::size_t position, double part) {
+EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, EdgePosition position, double part) {
   if (&given == &taken) return given.edgeName(position);
   const Vec2 point = (1 - part) * taken.path[position] + part * taken.path[position + 1];
   return edgeOfPath(given, position, point);

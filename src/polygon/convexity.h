@@ -18,10 +18,10 @@ struct Convexity : Derived::Thing {
   explicit Convexity(const PolygonData& polygon);
   ~Convexity() override;
 
-  int direction = 0;                 ///< 1 counter-clockwise, -1 clockwise, 0 not convex
-  bool has_others = false;           ///< convex, and not all vertices are corners
-  std::vector<std::size_t> corners;  ///< if it has others: as positions in the path, which increase
-  const PolygonData* by_corners;     ///< see cornersOf()
+  int direction = 0;                  ///< 1 counter-clockwise, -1 clockwise, 0 not convex
+  bool has_others = false;            ///< convex, and not all vertices are corners
+  std::vector<EdgePosition> corners;  ///< if it has others: as positions in the path, which increase
+  const PolygonData* by_corners;      ///< see cornersOf()
   /// If this is cornersOf() itself and all its corners are clear: from the line along any edge, the neighbours' other
   /// ends are at least that far away, but for a few roundings. Otherwise 0.
   double edge_depth = 0;
@@ -43,13 +43,13 @@ inline const PolygonData* cornersOf(const PolygonData& polygon) {
 }
 
 /// Returns the edge beside p. The edges between the two positions in a ring's path are on a line.
-std::size_t edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
+EdgePosition edgeBeside(const PolygonData& polygon, std::size_t begin, std::size_t end, const Vec2& p);
 
 /// Returns the number of the edge of a convex polygon, one with a length, that lies on edge k of cornersOf() beside p.
 EdgeIndex edgeOfPath(const PolygonData& polygon, std::size_t k, const Vec2& p);
 
 /// `taken` is the given polygon or its corners alone. Returns the number of the given polygon's edge that lies on the
 /// taken one's edge, at a part of that from its start (0) to its end (1).
-EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, std::size_t position, double part);
+EdgeIndex givenEdge(const PolygonData& given, const PolygonData& taken, EdgePosition position, double part);
 
 }  // namespace tricover::detail

@@ -34,7 +34,7 @@ inline bool CoveringSum::between(const Vec2& v, const Vec2& w) const {
   return betweenExact(point_.exact, {point_.pose, v}, {point_.pose, w});
 }
 
-bool CoveringSum::add(std::size_t edge) {
+bool CoveringSum::add(EdgePosition edge) {
   const Vec2 &v = polygon_.path[edge], &w = polygon_.path[edge + 1];
   const int d_v = sign(s_, v), d_w = sign(s_, w);
   const bool counter_clockwise = d_v >= 0 && d_w <= 0, clockwise = d_v <= 0 && d_w >= 0;
@@ -50,7 +50,7 @@ bool CoveringSum::add(std::size_t edge) {
 }
 
 void CoveringSum::addAll() {
-  forEachEdge(polygon_, [this](std::size_t edge) { return add(edge); });
+  forEachEdge(polygon_, [this](EdgePosition edge) { return add(edge); });
 }
 
 Inclusion CoveringSum::result() const {

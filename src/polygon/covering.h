@@ -61,7 +61,7 @@ class CoveringSum {
   CoveringSum(const PolygonData& polygon, const IncludedPoint& point, const Vec2& origin);
 
   /// Takes the triangle of the edge at this position. False if the point is on the edge: nothing else matters then.
-  bool add(std::size_t edge);
+  bool add(EdgePosition edge);
   void addAll();
 
   /// Once every triangle that holds the point has been added.

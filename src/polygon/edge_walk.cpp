@@ -5,26 +5,26 @@
 
 namespace tricover::detail {
 
-std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge) {
+EdgePosition edgeAfter(const PolygonData& polygon, EdgePosition edge) {
   const std::size_t ring = polygon.ringOf(edge);
   return edge + 1 == polygon.edgeEnd(ring) ? polygon.edgeBegin(ring) : edge + 1;
 }
 
-std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge) {
+EdgePosition edgeBefore(const PolygonData& polygon, EdgePosition edge) {
   const std::size_t ring = polygon.ringOf(edge);
   return (edge == polygon.edgeBegin(ring) ? polygon.edgeEnd(ring) : edge) - 1;
 }
 
-bool beginsPoint(const PolygonData& polygon, std::size_t v) {
+bool beginsPoint(const PolygonData& polygon, EdgePosition v) {
   const std::size_t ring = polygon.ringOf(v);
   if (v != polygon.edgeBegin(ring)) return false;
   const Vec2 *const begin = polygon.path.begin() + v, *const end = polygon.path.begin() + polygon.edgeEnd(ring);
   return std::all_of(begin, end, [&](const Vec2& p) { return p == *begin; });
 }
 
-EdgesAt edgesAt(const PolygonData& polygon, std::size_t v) {
-  const auto hasLength = [&](std::size_t e) { return polygon.path[e] != polygon.path[e + 1]; };
-  std::size_t before = edgeBefore(polygon, v);
+EdgesAt edgesAt(const PolygonData& polygon, EdgePosition v) {
+  const auto hasLength = [&](EdgePosition e) { return polygon.path[e] != polygon.path[e + 1]; };
+  EdgePosition before = edgeBefore(polygon, v);
   if (hasLength(v))
     while (!hasLength(before)) before = edgeBefore(polygon, before);
   return {hasLength(before) ? polygon.namedEdge(v) : v, before};  // v where only repetitions are on both sides

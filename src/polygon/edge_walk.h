@@ -17,29 +17,29 @@ inline OrderedPoint ordered(const Vec2& p) { return {p.x(), p.y()}; }
 template <typename Visit>
 void forEachEdge(const PolygonData& polygon, Visit&& visit) {
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-    for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+    for (EdgePosition edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
       if (!visit(edge)) return;
 }
 
 /// The next edge of a ring, all around, and the one before; positions in the path.
-std::size_t edgeAfter(const PolygonData& polygon, std::size_t edge);
-std::size_t edgeBefore(const PolygonData& polygon, std::size_t edge);
+EdgePosition edgeAfter(const PolygonData& polygon, EdgePosition edge);
+EdgePosition edgeBefore(const PolygonData& polygon, EdgePosition edge);
 
 /// Whether the vertex at a position begins a ring that is one point.
-bool beginsPoint(const PolygonData& polygon, std::size_t v);
+bool beginsPoint(const PolygonData& polygon, EdgePosition v);
 
 /// The edge that leaves a vertex and the one that leads to it, beyond repetitions of it.
 struct EdgesAt {
-  std::size_t after, before;
+  EdgePosition after, before;
 };
-EdgesAt edgesAt(const PolygonData& polygon, std::size_t v);
+EdgesAt edgesAt(const PolygonData& polygon, EdgePosition v);
 
 /// Returns the one of the two edges at a vertex that is more across a direction: where a whole edge is deepest, that.
 /// endsOf(edge) has an edge's ends v and w, in the direction's frame.
 template <typename EndsOf>
-std::size_t flatterEdge(const EdgesAt& at, const Vec2& direction, EndsOf endsOf) {
+EdgePosition flatterEdge(const EdgesAt& at, const Vec2& direction, EndsOf endsOf) {
   if (at.after == at.before) return at.after;
-  const auto slope = [&](std::size_t edge) {
+  const auto slope = [&](EdgePosition edge) {
     const auto ends = endsOf(edge);
     const Vec2 way = ends.w - ends.v;
     return way.isZero(0) ? 1 : std::abs(way.stableNormalized().dot(direction));

@@ -109,10 +109,10 @@ PolygonData* PolygonData::make(const RingsView& rings, const Fill& fill) {
   }
 }
 
-const PolygonData* PolygonData::reducedTo(const std::vector<std::size_t>& positions) const {
+const PolygonData* PolygonData::reducedTo(const std::vector<EdgePosition>& positions) const {
   Ring ring;
   ring.reserve(positions.size());
-  for (const std::size_t position : positions) ring.push_back(path[position]);
+  for (const EdgePosition position : positions) ring.push_back(path[position]);
   PolygonData* reduced = make(RingsView({ring.data(), ring.size()}), fill);
   reduced->origin = origin;
   reduced->radius = radius;
@@ -130,7 +130,7 @@ void PolygonData::release() const {
   ::operator delete(memory);
 }
 
-std::size_t PolygonData::ringOf(std::size_t position) const {
+std::size_t PolygonData::ringOf(EdgePosition position) const {
   // Halves, without branches: which one it is can't be predicted.
   const std::uint32_t* begin = path.ringBegin();
   for (std::size_t count = ringCount(); count > 1;) {
@@ -141,11 +141,13 @@ std::size_t PolygonData::ringOf(std::size_t position) const {
   return static_cast<std::size_t>(begin - path.ringBegin());
 }
 
-std::size_t PolygonData::edgePosition(std::size_t number) const {
+EdgePosition PolygonData::edgePosition(EdgeIndex index) const {
+  const auto number = static_cast<std::size_t>(index);
   if (has_repeats) {
     const std::uint32_t* const all = path.numbers();
-    auto at = static_cast<std::size_t>(std::lower_bound(all, all + path.size(), number) - all);
-    const std::size_t ring = ringOf(at), end = edgeEnd(ring);
+    auto at = static_cast<EdgePosition>(std::lower_bound(all, all + path.size(), number) - all);
+    const std::size_t ring = ringOf(at);
+    const EdgePosition end = edgeEnd(ring);
     while (at + 1 < end && all[at + 1] == number) ++at;
     return at == end ? edgeBegin(ring) : at;
   }
@@ -154,20 +156,21 @@ std::size_t PolygonData::edgePosition(std::size_t number) const {
     const std::size_t mid = (low + high) / 2;
     (edgeBegin(mid) - mid <= number ? low : high) = mid;
   }
-  return number + low;
+  return static_cast<EdgePosition>(number + low);
 }
 
-std::size_t PolygonData::nextWithLength(std::size_t position) const {
-  const std::size_t ring = ringOf(position), begin = edgeBegin(ring), end = edgeEnd(ring);
-  for (std::size_t e = position + 1 < end ? position + 1 : begin; e != position; e = e + 1 < end ? e + 1 : begin)
+EdgePosition PolygonData::nextWithLength(EdgePosition position) const {
+  const std::size_t ring = ringOf(position);
+  const EdgePosition begin = edgeBegin(ring), end = edgeEnd(ring);
+  for (EdgePosition e = position + 1 < end ? position + 1 : begin; e != position; e = e + 1 < end ? e + 1 : begin)
     if (path[e] != path[e + 1]) return e;
   return position;
 }
 
-std::size_t PolygonData::checkedEdgePosition(EdgeIndex number) const {
+EdgePosition PolygonData::checkedEdgePosition(EdgeIndex number) const {
   const std::size_t count = edgeCount();
   if (static_cast<std::size_t>(number) >= count) refuseEdge(number, count);
-  return edgePosition(static_cast<std::size_t>(number));
+  return edgePosition(number);
 }
 
 }  // namespace tricover::detail

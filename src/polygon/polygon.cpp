@@ -121,7 +121,7 @@ Double2 centroid(const PolygonData& polygon, const Frame& frame) {
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) {
     const std::size_t end = polygon.edgeEnd(r);
     Double2 v = (load2(path[polygon.edgeBegin(r)].data()) - frame.center) * frame.shrink;
-    for (std::size_t e = polygon.edgeBegin(r); e < end; ++e) {
+    for (EdgePosition e = polygon.edgeBegin(r); e < end; ++e) {
       const Double2 w = (load2(path[e + 1].data()) - frame.center) * frame.shrink;
       const double twice = cross(v, w);
       area += twice;
@@ -149,10 +149,10 @@ double boundingRadius(const PolygonData& polygon, const Frame& frame) {
 }
 
 /// A ring of three vertices of which two are equal is a segment there and back.
-std::uint8_t degenerateEdgeOf(const Path& path) {
-  if (path.size() != 4) return PolygonData::kNotDegenerate;
+EdgePosition degenerateEdgeOf(const Path& path) {
+  if (path.size() != 4) return kNoEdge;
   if (path[1] == path[2] || path[0] == path[2]) return 0;
-  return path[0] == path[1] ? 1 : PolygonData::kNotDegenerate;
+  return path[0] == path[1] ? 1 : kNoEdge;
 }
 
 struct GivenRings : Derived::Thing {
@@ -174,8 +174,8 @@ PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const F
   static_assert(offsetof(PolygonData, path) + sizeof(Path) == sizeof(PolygonData));
   const Extremes extremes(path);
   if (!extremes.are_plain) refuseNotFinite(rings_);
-  degenerate_edge = fill.is_complement ? kNotDegenerate : degenerateEdgeOf(path);
-  is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + std::size_t{1}];
+  degenerate_edge = fill.is_complement ? kNoEdge : degenerateEdgeOf(path);
+  is_point = isDegenerate() && path[degenerate_edge] == path[degenerate_edge + 1];
   const Frame frame(extremes);
   store2(origin.data(), centroid(*this, frame));
   extent = std::max(extremes.extent, std::abs(origin.x()) + std::abs(origin.y()));
@@ -219,8 +219,8 @@ double Polygon::radius() const { return data_->reach; }
 
 Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
 Vec2 Polygon::edgeEnd(EdgeIndex edge) const {
-  const std::size_t position = data_->checkedEdgePosition(edge);
-  const bool is_repeat = data_->edgeNumber(position) != static_cast<std::size_t>(edge);
+  const detail::EdgePosition position = data_->checkedEdgePosition(edge);
+  const bool is_repeat = data_->edgeNumber(position) != edge;
   return data_->path[is_repeat ? position : position + 1];
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polygon/derived.h"
+#include "polygon/edge_position.h"
 #include "tricover/polygon.h"
 
 namespace tricover::detail {
@@ -80,44 +81,44 @@ struct PolygonData {
   /// The last of its users destroys it.
   static PolygonData* make(const RingsView& rings, const Fill& fill);
   /// The polygon of some of its vertices, by their positions, whose region must be the same; with the same S and unit.
-  const PolygonData* reducedTo(const std::vector<std::size_t>& positions) const;
+  const PolygonData* reducedTo(const std::vector<EdgePosition>& positions) const;
   void hold() const { users.fetch_add(1, std::memory_order_relaxed); }
   void release() const;
 
   std::size_t ringCount() const { return path.ringCount(); }
-  std::size_t edgeBegin(std::size_t ring) const { return path.ringBegin()[ring]; }
-  std::size_t edgeEnd(std::size_t ring) const { return path.ringBegin()[ring + 1] - std::size_t{1}; }
+  EdgePosition edgeBegin(std::size_t ring) const { return path.ringBegin()[ring]; }
+  EdgePosition edgeEnd(std::size_t ring) const { return path.ringBegin()[ring + 1] - 1; }
   /// The ring of a position.
-  std::size_t ringOf(std::size_t position) const;
+  std::size_t ringOf(EdgePosition position) const;
   /// A ring without its repeats.
   Ring vertices(std::size_t ring) const { return {path.begin() + edgeBegin(ring), path.begin() + edgeEnd(ring)}; }
 
   /// Between positions in the path and the public numbering, which skips the closing vertices and counts repeats. The
   /// number of an edge that a repeat begins stands for the next edge of its ring that has a length.
-  std::size_t edgeNumber(std::size_t position) const {
+  EdgeIndex edgeNumber(EdgePosition position) const {
     if (has_repeats) return path.numbers()[position];
-    return ringCount() == 1 ? position : position - ringOf(position);
+    return position - (ringCount() == 1 ? 0 : static_cast<EdgeIndex>(ringOf(position)));
   }
-  std::size_t edgePosition(std::size_t number) const;
+  EdgePosition edgePosition(EdgeIndex number) const;
   std::size_t edgeCount() const {
     return has_repeats ? path.numbers()[path.size() - 1] + std::size_t{1} : path.size() - ringCount();
   }
   /// The number of a ring's first edge.
-  std::size_t firstNumber(std::size_t ring) const {
-    if (!has_repeats) return edgeBegin(ring) - ring;
+  EdgeIndex firstNumber(std::size_t ring) const {
+    if (!has_repeats) return edgeBegin(ring) - static_cast<EdgeIndex>(ring);
     return ring == 0 ? 0 : edgeNumber(edgeEnd(ring - 1)) + 1;
   }
   /// The edge that results name for the one at a position: that edge, or, if it has no length, the next one of its ring
   /// that has, which starts at the same point. A ring without any such edge names the given one.
-  std::size_t namedEdge(std::size_t position) const {
+  EdgePosition namedEdge(EdgePosition position) const {
     return path[position] != path[position + 1] ? position : nextWithLength(position);
   }
-  /// The public number of that edge.
-  EdgeIndex edgeName(std::size_t position) const { return static_cast<EdgeIndex>(edgeNumber(namedEdge(position))); }
+  /// The public number of that edge; -1 for kNoEdge.
+  EdgeIndex edgeName(EdgePosition position) const { return position == kNoEdge ? -1 : edgeNumber(namedEdge(position)); }
   /// Throws std::out_of_range for what is no edge's number.
-  std::size_t checkedEdgePosition(EdgeIndex number) const;
+  EdgePosition checkedEdgePosition(EdgeIndex number) const;
 
-  bool isDegenerate() const { return degenerate_edge != kNotDegenerate; }
+  bool isDegenerate() const { return degenerate_edge != kNoEdge; }
   bool isPoint() const { return is_point; }
 
   /// False for the largest of polygons: no power of two is above their radius.
@@ -150,15 +151,14 @@ struct PolygonData {
   /// and three where a ring has fewer: what repeats costs nothing.
   bool has_repeats;
   bool is_point;  ///< whether it is a degenerate polygon whose edge has no length
-  /// The position of the one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
+  /// The one edge of a degenerate polygon, a segment or a point: what a margin makes a stadium or a
   /// disc of. S is on it but for rounding, and on a point exactly. A complement is never degenerate.
-  static constexpr std::uint8_t kNotDegenerate = 255;
-  std::uint8_t degenerate_edge;
+  EdgePosition degenerate_edge;
   alignas(8) Path path;  ///< the last member: its vertices lie behind
 
  private:
   PolygonData(const RingsView& rings, std::size_t positions, const Fill& fill, bool has_repeats);
-  std::size_t nextWithLength(std::size_t position) const;
+  EdgePosition nextWithLength(EdgePosition position) const;
 };
 
 }  // namespace tricover::detail

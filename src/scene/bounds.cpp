@@ -66,7 +66,7 @@ Bounds boundsOfVertices(const PolygonData& polygon, std::size_t begin, std::size
 
 }  // namespace
 
-Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& pose, double reach) {
+Bounds boundsOfEdge(const PolygonData& polygon, EdgePosition edge, const Pose& pose, double reach) {
   return boundsOfVertices(polygon, edge, edge + 2, pose, reach);
 }
 

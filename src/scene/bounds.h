@@ -12,6 +12,6 @@ namespace tricover::detail {
 /// A box around all points that are within `reach` of the posed polygon, rounded outwards. It never holds NaN.
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach);
 /// The same around one edge, by its position.
-Bounds boundsOfEdge(const PolygonData& polygon, std::size_t edge, const Pose& pose, double reach);
+Bounds boundsOfEdge(const PolygonData& polygon, EdgePosition edge, const Pose& pose, double reach);
 
 }  // namespace tricover::detail

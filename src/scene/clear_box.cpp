@@ -49,7 +49,7 @@ void ClearBox::learn(const PolygonData& polygon, const Pose& pose, double margin
   tries_.fetch_add(1, std::memory_order_relaxed);
   Bounds box = body;
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)
-    for (std::size_t edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
+    for (EdgePosition edge = polygon.edgeBegin(ring); edge < polygon.edgeEnd(ring); ++edge)
       if (!cut(box, boundsOfEdge(polygon, edge, pose, margin), seed)) return;
   auto found = std::make_unique<const Bounds>(box);
   const Bounds* none = nullptr;

@@ -129,7 +129,7 @@ void SceneState::link(const SlotPair& ends) {
   pairs[pair] = {
       ends,
       {static_cast<std::uint32_t>(bodies[first].links.size()), static_cast<std::uint32_t>(bodies[second].links.size())},
-      {-1, -1},
+      {kNoEdge, kNoEdge},
       /*collides*/ false,
       /*reported*/ false};
   bodies[first].links.push_back({-1, pair, second});

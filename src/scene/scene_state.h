@@ -71,7 +71,7 @@ struct SceneState {
   struct Pair {
     SlotPair body;
     std::uint32_t link[2];    ///< its index among each body's links
-    std::ptrdiff_t edge[2];   ///< the edges of the last hit, in the kernel's order; -1: none
+    EdgePosition edge[2];     ///< the edges of the last hit, in the kernel's order; or kNoEdge
     bool collides, reported;  ///< by its certificate; by `collisions`. Both are false of a free place
   };
 

@@ -121,11 +121,11 @@ TEST(Claim, EmptiesAnotherPairsCache) {
   detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
   cache.first_edge = cache.second_edge = 3;
   detail::claim(cache, a.data(), b.data());
-  EXPECT_EQ(cache.first_edge, 3);
+  EXPECT_EQ(cache.first_edge, 3u);
   EXPECT_EQ(cache.clearance, 5);
   detail::claim(cache, a.data(), c.data());
-  EXPECT_EQ(cache.first_edge, -1);
-  EXPECT_EQ(cache.second_edge, -1);
+  EXPECT_EQ(cache.first_edge, detail::kNoEdge);
+  EXPECT_EQ(cache.second_edge, detail::kNoEdge);
   EXPECT_EQ(cache.clearance, 0);
   EXPECT_EQ(cache.first_id, a.id());
   EXPECT_EQ(cache.second_id, c.id());

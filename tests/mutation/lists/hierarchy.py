@@ -44,7 +44,7 @@ MUTATIONS = [
     ("src/hierarchy/simd_shapes.h", "static_cast<float>(8 * rounding + map.error)", "static_cast<float>(8 * rounding)", "lines and inner discs: the map's error"),
     ("src/hierarchy/simd_shapes.h", "(Lanes::load(b.radius) * to_a.scale - slack).store(radius);", "(Lanes::load(b.radius) * to_a.scale * 1.001f).store(radius);", "inner discs: b's too large"),
     ("src/hierarchy/simd_shapes.h", "(deepest - slack) / (2.0 * ", "(deepest - slack) / (1.0 * ", "inner discs: depth too large"),
-    ("src/hierarchy/simd_shapes.h", "if (shallow == 0) return {-1, 0};", "if ((in & 7) == 7) return {-1, 0};", "convex crossing: inside without slack"),
+    ("src/hierarchy/simd_shapes.h", "if (shallow == 0) return {kNoEdge, 0};", "if ((in & 7) == 7) return {kNoEdge, 0};", "convex crossing: inside without slack"),
     ("src/hierarchy/simd_paths.h", "paths.reach[k] + kRounding * size", "paths.reach[k] + 0 * kRounding * size", "few edges: floats taken for exact"),
     ("src/hierarchy/simd_intervals.h", "(gap - to) + chord_error;", "gap - to;", "eight intervals: no chord_error"),
 ]
