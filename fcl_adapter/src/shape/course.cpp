@@ -13,6 +13,7 @@
 #include <string>
 #include <typeinfo>
 
+#include "numbers/march.h"
 #include "numbers/rigidity.h"
 #include "shape/errors.h"
 #include "shape/motion_in_plane.h"
@@ -29,6 +30,10 @@ using tricover::Motion;
 using tricover::Polygon;
 using tricover::Pose;
 using tricover::Vec2;
+using tricover::detail::march;
+using tricover::detail::Reached;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr const char* kSayBound = "make computeMotionBound return a bound of the speed, or ";
 
@@ -210,7 +215,7 @@ struct Mover {
         16 * static_cast<double>(std::numeric_limits<S>::epsilon()) + 4 * tricover::detail::defectOf(pose);
     std::vector<Front> fronts;
     for (const VertexRun& part : parts) {
-      double place = -std::numeric_limits<double>::infinity();
+      double place = -kInfinity;
       for (const Vec2& vertex : part.vertices)
         place = std::max(place, direction.dot(pose.linear() * vertex + (pose.translation() - origin)));
       fronts.push_back({place, course.speed_along(part.around, direction, time) + loose * speed});
@@ -232,7 +237,7 @@ template <typename S>
 double partedFor(const Mover<S>& a, const Mover<S>& b, const Vec2& direction, double beside) {
   const Vec2 origin = a.pose.translation();
   const auto of_a = a.fronts(direction, origin), of_b = b.fronts(-direction, origin);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const auto& front : of_a) {
     for (const auto& other : of_b) {
       const double gap = -other.place - front.place - beside, speed = front.speed + other.speed;
@@ -299,9 +304,9 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
   const double size =
       std::abs(options.margin) + radiusAround(polygon_a, Vec2::Zero()) + radiusAround(polygon_b, Vec2::Zero());
   // A step for each time_error / 16, between 65,536 and a million of them.
-  const double most = std::clamp(16 / options.time_error, 0x1p16, 0x1p20);
-  double time = static_cast<double>(roundDown<S>(begin));
-  for (double steps = 0; steps < most; ++steps) {
+  const int most = static_cast<int>(std::ceil(std::clamp(16 / options.time_error, 0x1p16, 0x1p20)));
+  const Reached from{static_cast<double>(roundDown<S>(begin)), false}, never{kInfinity, true};
+  const auto step = [&](double time) -> std::optional<Reached> {
     a.moveTo(time);
     b.moveTo(time);
     // What the distance is rounded by, and what the motions' poses are, also far from the world's origin.
@@ -309,27 +314,28 @@ std::optional<double> advance(const Polygon& polygon_a, const Course& course_a, 
                             8 * static_cast<double>(std::numeric_limits<S>::epsilon()) *
                                 (a.pose.translation().norm() + b.pose.translation().norm());
     const Clearance left = gauge.at(a.pose, b.pose, rounding);
-    if (left.length == 0) return time;
-    double step = (left.length - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
-    if (step < kShort && step < end - time && --resting < 0) {
-      const double alone = step;
+    if (left.length == 0) return std::nullopt;
+    double length = (left.length - rounding) / (a.speed + b.speed) * (1 - 0x1p-50);
+    if (length < kShort && length < end - time && --resting < 0) {
+      const double alone = length;
       for (Vec2 direction : {left.towards, a.normalOf(left.edge_a), b.normalOf(left.edge_b)}) {
         if (direction.dot(left.towards) < 0) direction = -direction;
         if (direction.allFinite() && !direction.isZero(0))
-          step = std::max(step, partedFor(a, b, direction, options.margin + rounding));
+          length = std::max(length, partedFor(a, b, direction, options.margin + rounding));
       }
-      resting = step > 2 * alone ? 0 : kRest;
+      resting = length > 2 * alone ? 0 : kRest;
     }
-    const double free_until = time + step;
-    if (free_until >= end) return std::nullopt;
+    if (time + length >= end) return never;
     // Motions are asked at times that S has.
-    const double next = free_until > time ? static_cast<double>(roundDown<S>(free_until)) : time;
-    if (!(next > time)) return time;
+    const double next = length > 0 ? static_cast<double>(roundDown<S>(time + length)) : time;
+    if (!(next > time)) return std::nullopt;
     const double soon = static_cast<double>(roundDown<S>(std::min(time + options.time_error, end)));
-    if (next <= soon && gauge.isReached(course_a.pose(soon), course_b.pose(soon))) return time;
-    time = next;
-  }
-  return time;  // nothing is met before
+    if (next <= soon && gauge.isReached(course_a.pose(soon), course_b.pose(soon))) return std::nullopt;
+    return Reached{next, false};
+  };
+  // Contact or not, nothing is met before.
+  const double time = march(from, most, step).time;
+  return time < kInfinity ? std::optional<double>(time) : std::nullopt;
 }
 
 }  // namespace
