@@ -393,7 +393,7 @@ TEST(Ray, ThroughVerticesFarAway) {
 /// more than a float's rounding.
 TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
   Random random(43);
-  const std::size_t edges = 65;
+  const detail::EdgePosition edges = 65;
   const Polygon a({regular(edges, 1)}), b({regular(edges, 1)});
   const int cases = scaledCount(4000);
   for (int i = 0; i < cases; ++i) {
@@ -403,11 +403,11 @@ TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
     const detail::EdgeDistances distances{detail::PosedVertices(pair)};
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < edges; ++k)
-      for (std::size_t l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
+    for (detail::EdgePosition k = 0; k < edges; ++k)
+      for (detail::EdgePosition l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
     const double limit = least;
     bool found = false;
-    const auto visit = [&](double, std::size_t k, std::size_t l) {
+    const auto visit = [&](double, detail::EdgePosition k, detail::EdgePosition l) {
       found = found || distances.bounds(k, l).high == least;
       return limit;
     };

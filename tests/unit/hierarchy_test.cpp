@@ -27,8 +27,10 @@ namespace {
 
 using detail::Block;
 using detail::Derived;
+using detail::EdgePosition;
 using detail::Hierarchy;
 using detail::kLanes;
+using detail::kNoEdge;
 using detail::PolygonData;
 
 /// A polygon that large isn't made here: its paths are checked before they are.
@@ -93,8 +95,8 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
       boxes += block.count;
       ASSERT_EQ(block.scale * block.inverse, 1);
       for (int lane = 0; lane < block.count; ++lane) {
-        std::size_t first = data.path.size(), last = 0, edges = 0;
-        forEachEdge(hierarchy, block, lane, [&](std::size_t e) {
+        EdgePosition first = kNoEdge, last = 0, edges = 0;
+        forEachEdge(hierarchy, block, lane, [&](EdgePosition e) {
           ASSERT_TRUE(holds(block, lane, data.inUnits(data.path[e]), -0x1p-23));
           ASSERT_TRUE(holds(block, lane, data.inUnits(data.path[e + 1]), -0x1p-23));
           first = std::min(first, e);

@@ -50,7 +50,7 @@ void anyAngles(Random& random, double& angle_a, double& angle_b) {
 constexpr int kWays = 5;
 
 /// What one of the ways leaves of an interval in which two edges may meet; nothing if low > high.
-Rest restBy(int way, const TimeInterval& interval, std::size_t edge_a, std::size_t edge_b) {
+Rest restBy(int way, const TimeInterval& interval, detail::EdgePosition edge_a, detail::EdgePosition edge_b) {
   if (way == 4) return restOfEdges(interval, edge_a, edge_b);
   const MovingBox a = interval.pair.a.edge(interval.a, edge_a), b = interval.pair.b.edge(interval.b, edge_b);
   const NearestPoints at_begin(interval.pair.a.ends(interval.a, 0, edge_a), interval.pair.b.ends(interval.b, 0, edge_b),
@@ -88,8 +88,8 @@ TEST(IntervalCutter, NeverCutsContactOff) {
     Motion motion_b = anyMotion(random, angle_b);
     const double begin = random.oneIn(3) ? 0 : random.unit(), length = (1 - begin) * std::pow(10, random.real(-2, 0));
     const double share = random.unit(), met = begin + share * length;
-    const std::size_t edge_a = static_cast<std::size_t>(random.integer(0, 2)),
-                      edge_b = static_cast<std::size_t>(random.integer(0, 2));
+    const auto edge_a = static_cast<detail::EdgePosition>(random.integer(0, 2)),
+               edge_b = static_cast<detail::EdgePosition>(random.integer(0, 2));
     const auto on = [&](const Polygon& polygon, std::size_t position, bool vertex) -> Vec2 {
       const auto edge = static_cast<EdgeIndex>(position);
       const double at = vertex ? random.integer(0, 1) : random.unit();

@@ -55,8 +55,8 @@ Case convexPair(Random& random) {
 
 int edgesThatMeet(const PosedPair& pair) {
   int count = 0;
-  for (std::size_t k = 0; k + 1 < pair.a.path.size(); ++k)
-    for (std::size_t l = 0; l + 1 < pair.b.path.size(); ++l) count += edgesMeet(pair, k, l);
+  for (detail::EdgePosition k = 0; k + 1 < pair.a.path.size(); ++k)
+    for (detail::EdgePosition l = 0; l + 1 < pair.b.path.size(); ++l) count += edgesMeet(pair, k, l);
   return count;
 }
 

@@ -87,7 +87,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     }
     const bool truth = meeting == detail::Meeting::Meet;
     const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
-    ++(!truth ? apart : outcome.edge_a >= 0 && outcome.edge_b >= 0 ? crossing : inside);
+    ++(!truth ? apart : outcome.edge_a != detail::kNoEdge && outcome.edge_b != detail::kNoEdge ? crossing : inside);
   }
   EXPECT_GT(apart, cases / 10);
   EXPECT_GT(crossing, cases / 10);
@@ -101,7 +101,7 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
   struct Check {
     const PosedPair& pair;
     int asked = 0;
-    static bool meet(const void* context, std::size_t edge_a, std::size_t edge_b) {
+    static bool meet(const void* context, detail::EdgePosition edge_a, detail::EdgePosition edge_b) {
       Check& check = *static_cast<Check*>(const_cast<void*>(context));
       ++check.asked;
       EXPECT_LT(edge_a, check.pair.a.path.size() - 1);
