@@ -20,7 +20,7 @@ MUTATIONS = [
     ("src/contact/overlap_arcs.cpp", "winding.known = winding.known && stop.change.known;", "", "components: winding trusted past a touch"),
     ("src/penetration/penetration.cpp", "if (areApartMoved(pair, Vec2::Zero(), t, margin) &&", "if (", "penetration: the translation of b isn't proven"),
     ("src/penetration/penetration.cpp", "std::min(shortest.lower_bound * unit, result.depth)", "result.depth", "penetration: the lower bound is the depth"),
-    ("src/overlay/rings.cpp", "outer == inner ? 0 : inner ? turn : -turn", "outer == inner ? 0 : inner ? -turn : turn", "penetration: regions on the other side of their edges"),
+    ("src/overlay/rings.cpp", "own.left ? 1 : -1", "own.left ? -1 : 1", "penetration: regions on the other side of their edges"),
     ("src/overlay/rings.cpp", "&& !meetsItself(polygon)", "", "penetration: sides of outlines that cross themselves"),
     ("src/penetration/translation_space.cpp", "(linear.determinant() < 0 ? -1 : 1)", "1", "penetration: regions on the other side of mirrored edges"),
     ("src/penetration/translation_space.h", "if (passes || vertex.is_reflex)", "if (passes || vertex.side != 0)", "penetration: corners bound nothing"),
