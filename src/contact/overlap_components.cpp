@@ -70,13 +70,11 @@ class Grouping : OverlapArcs {
       const int side = point.side;
       const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, point.at, at);
       const auto edge = static_cast<std::size_t>(p.edge[side]), before = static_cast<std::size_t>(p.before[side]);
-      const Side& own = sides_[side];
-      const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
       const Ends to = ends(side, edge), from = ends(side, before);
       const double turn = cross(from.v - from.w, to.w - to.v);
-      if (ring.left.known && !ring.meets_own && turn != 0)
-        return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
+      const int region = regionSide(side, edge);
+      if (region != 0 && turn != 0) return region * turn > 0;
     }
     const Vec2 beside = at - Vec2(4 * frame_.error(), 0);
     return holds(0, beside) && holds(1, beside);
@@ -235,16 +233,21 @@ class Grouping : OverlapArcs {
     (on.high > on.low ? components[component].pieces : components[component].around).push_back(piece);
   }
 
+  /// On which side of an edge its region is, in the world: see RegionSides.
+  int regionSide(int side, std::size_t edge) const {
+    const PolygonData& polygon = sides_[side].polygon;
+    const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
+    return isMirrored(poseOf(pair_, side)) ? -region : region;
+  }
+
   /// False if it is no longer than rounding.
   bool makePiece(int side, std::size_t edge, const Span& on, OutlinePiece& piece) const {
     const Ends all = ends(side, edge);
     piece = {all, on, side, static_cast<std::int32_t>(edge), false, false};
     const double length = on.high > 0 ? piece.length() : piece.way().norm();
     if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
-    const PolygonData& polygon = sides_[side].polygon;
-    const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
-    if (region != 0) {
-      piece.left = (region > 0) != isMirrored(poseOf(pair_, side));
+    if (const int region = regionSide(side, edge); region != 0) {
+      piece.left = region > 0;
       piece.right = !piece.left;
       return true;
     }
