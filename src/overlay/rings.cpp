@@ -12,10 +12,10 @@
 namespace tricover::detail {
 namespace {
 
-/// Rings times vertices: what is looked at for a polygon's sides, at most.
+/// Rings times vertices, at most, of polygons whose sides are known: what leads to a ring may pass all others.
 constexpr std::size_t kMostLooks = std::size_t{1} << 20;
 
-/// The side of an edge that the region is on. All edges of a ring have the same, as no rings meet.
+/// The side of an edge that the region is on. No rings meet, and so all edges of a ring have the same.
 std::int8_t sideOf(const PosedRegions& itself, std::size_t edge) {
   const EdgeSides beside(itself, EdgeSides::A, edge);
   if (!beside.hasAny(&EdgeSides::Piece::isBorder)) return 0;
