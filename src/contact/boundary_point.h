@@ -6,6 +6,7 @@
 
 #include "hierarchy/inclusion.h"
 #include "hierarchy/simd.h"
+#include "numbers/rigidity.h"
 #include "pair/world_frame.h"
 #include "polygon/edge_walk.h"
 
@@ -29,6 +30,24 @@ inline BoundaryPoint vertexPoint(const PolygonData& polygon, int side, EdgePosit
   point.edge[side] = edges.after;
   point.before[side] = edges.before;
   return point;
+}
+
+/// A winding number or a change of one, where that is known.
+struct Winding {
+  /// On the way past a place where it changes.
+  void pass(const Winding& change) {
+    known = known && change.known;
+    number += change.number;
+  }
+
+  bool known = false;
+  int number = 0;
+};
+
+/// Where a vertex of b is in a's region, and how that winds around it in the world. Exact.
+inline Inclusion includeVertexOfB(const PosedPair& pair, EdgePosition v) {
+  const Inclusion found = includeInPolygon(pair.a, seenFromA(pair, pair.b.path[v]));
+  return {found.location, isMirrored(pair.pose_a) ? -found.winding : found.winding};
 }
 
 /// Whether a rounded point of the WorldFrame is in one side's region (0: a's, 1: b's).

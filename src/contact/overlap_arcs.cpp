@@ -63,7 +63,6 @@ void OverlapArcs::addRepeatedVertices(int side) {
     if (next - k < 2) continue;
     const std::size_t node = addNode(false);
     for (std::size_t i = k; i < next; ++i) {
-      own.rings[own.polygon.ringOf(order[i])].meets_own = true;
       own.stops.push_back({order[i], {0, 0}, node, {true, 0}, false});
       own.stops.push_back({edgeBefore(own.polygon, order[i]), {1, 1}, node, {true, 0}, false});
     }
@@ -73,7 +72,6 @@ void OverlapArcs::addRepeatedVertices(int side) {
 /// Two nodes, where they cover each other: what is between needn't be in the overlap.
 void OverlapArcs::addOwnCrossing(int side, EdgePosition e, EdgePosition f) {
   Side& own = sides_[side];
-  own.rings[own.polygon.ringOf(e)].meets_own = own.rings[own.polygon.ringOf(f)].meets_own = true;
   const Ends of_e = ends(side, e), of_f = ends(side, f);
   const Span on_e = spanNear(of_e, of_f, frame_.error()), on_f = spanNear(of_f, of_e, frame_.error());
   const bool alike = (of_e.w - of_e.v).dot(of_f.w - of_f.v) > 0;
@@ -124,25 +122,12 @@ void OverlapArcs::joinArcs(int side, std::size_t begin, std::size_t end) {
   // Beginning with the way round from the last stop to the first, which tells the winding number.
   for (std::size_t k = end - 1, next = begin; next < end; k = next++) {
     Stop& stop = stops[k];
-    pass(1 - side, stop, winding);
+    winding.pass(stop.change);
     const bool on_edge = k < next && stop.edge == stops[next].edge;
     stop.joined = on_edge ? joinedOnEdge(side, stop, stops[next], reach, winding)
                           : joinedRoundVertices(side, stop, stops[next], winding);
     reach = on_edge ? std::max(reach, stops[next].span.high) : stops[next].span.high;
     if (stop.joined) sets_.join(stop.node, stops[next].node);
-  }
-}
-
-/// Takes the other side's winding number past a stop; on the way it is the one along the left of the edge crossed.
-void OverlapArcs::pass(int other, const Stop& stop, Winding& winding) {
-  winding.known = winding.known && stop.change.known;
-  if (!winding.known) return;
-  const int before = winding.number;
-  winding.number += stop.change.number;
-  if (stop.node < crossings_.size()) {
-    Side& crossed = sides_[other];
-    const std::size_t ring = crossed.polygon.ringOf(crossings_[stop.node].edge[other]);
-    crossed.rings[ring].left = {true, std::max(before, winding.number)};
   }
 }
 
@@ -170,13 +155,6 @@ bool OverlapArcs::joinedRoundVertices(int side, const Stop& stop, const Stop& ne
   nodes_[stop.node].is_inner = nodes_[stop.node].is_present = true;
   arcs_.push_back({side, v, next.edge, stop.node});
   return true;
-}
-
-/// Where one side's vertex is in the other's region, and how that winds around it in the world. Exact.
-Inclusion OverlapArcs::includeVertex(int side, EdgePosition v) const {
-  const PosedPair& pair = side == 0 ? swapped_ : pair_;
-  const Inclusion found = includeInPolygon(pair.a, seenFromA(pair, pair.b.path[v]));
-  return {found.location, isMirrored(pair.pose_a) ? -found.winding : found.winding};
 }
 
 }  // namespace tricover::detail

@@ -8,16 +8,9 @@
 
 #include "contact/boundary_point.h"
 #include "contact/crossings.h"
-#include "hierarchy/inclusion.h"
 #include "numbers/union_find.h"
 
 namespace tricover::detail {
-
-/// A winding number or a change of one, where that is known.
-struct Winding {
-  bool known = false;
-  int number = 0;
-};
 
 /// Where a node is on a ring.
 struct Stop {
@@ -34,9 +27,6 @@ struct Side {
   struct RingStops {
     std::size_t begin = 0, end = 0;  ///< in `stops`
     std::ptrdiff_t node = -1;        ///< of a ring that lies in the other region as a whole; otherwise -1
-    /// The own winding number along its left, all along the ring, if that is known.
-    Winding left;
-    bool meets_own = false;  ///< or other rings of its polygon: then it isn't the same all along
   };
 
   Side(const PolygonData& polygon_, std::pmr::memory_resource* memory) : polygon(polygon_), stops(memory) {}
@@ -71,7 +61,7 @@ class OverlapArcs {
  protected:
   OverlapArcs(const PosedPair& pair, const WorldFrame& frame, const std::vector<EdgeCrossing>& crossings)
       : pair_(pair),
-        swapped_(pair.b, pair.pose_b, pair.a, pair.pose_a),
+        swapped_(pair.back()),
         frame_(frame),
         crossings_(crossings),
         sides_{{pair.a, &memory_}, {pair.b, &memory_}} {}
@@ -116,7 +106,8 @@ class OverlapArcs {
   std::pmr::vector<Arc> arcs_{&memory_};
 
  private:
-  Inclusion includeVertex(int side, EdgePosition v) const;
+  /// Where one side's vertex is in the other's region.
+  Inclusion includeVertex(int side, EdgePosition v) const { return includeVertexOfB(side == 0 ? swapped_ : pair_, v); }
   std::size_t addNode(bool present);
   void addOwnCrossings(int side);
   void addRepeatedVertices(int side);
@@ -124,7 +115,6 @@ class OverlapArcs {
   void joinAlongRings(int side);
   void joinWhole(int side, std::size_t r);
   void joinArcs(int side, std::size_t begin, std::size_t end);
-  void pass(int other, const Stop& stop, Winding& winding);
   bool joinedOnEdge(int side, const Stop& stop, const Stop& next, double reach, const Winding& winding);
   bool joinedRoundVertices(int side, const Stop& stop, const Stop& next, Winding& winding);
 };

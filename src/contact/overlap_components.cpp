@@ -43,7 +43,7 @@ class Grouping : OverlapArcs {
       if (!best.is_known || at.x() < best.at.x()) best = {true, point, at};
     };
     for (std::size_t k = 0; k < crossings_.size(); ++k) offer({k, NodePoint::kCrossing, k});
-    for (const Arc& arc : arcs_) forEachVertex(arc, [&](std::size_t v) { offer({arc.node, arc.side, v}); });
+    for (const Arc& arc : arcs_) forEachVertex(arc, [&](EdgePosition v) { offer({arc.node, arc.side, v}); });
     for (const Leftmost& best : leftmost) {
       if (!best.is_known || !overlapsLeftOf(best.point, best.at)) continue;
       const std::ptrdiff_t node = leftOf(best.at);
@@ -70,13 +70,11 @@ class Grouping : OverlapArcs {
       const int side = point.side;
       const BoundaryPoint p = vertexPoint(sides_[side].polygon, side, static_cast<EdgePosition>(point.at), at);
       const EdgePosition edge = p.edge[side], before = p.before[side];
-      const Side& own = sides_[side];
-      const Side::RingStops& ring = own.rings[own.polygon.ringOf(edge)];
       // Both edges lead to the right: their turn tells whether the ring's left side is around the back of them.
       const Ends to = ends(side, edge), from = ends(side, before);
       const double turn = cross(from.v - from.w, to.w - to.v);
-      if (ring.left.known && !ring.meets_own && turn != 0)
-        return own.isInside(turn > 0 ? ring.left.number : ring.left.number - 1);
+      const int region = regionSide(side, edge);
+      if (region != 0 && turn != 0) return region * turn > 0;
     }
     const Vec2 beside = at - Vec2(4 * frame_.error(), 0);
     return holds(0, beside) && holds(1, beside);
@@ -234,16 +232,21 @@ class Grouping : OverlapArcs {
     (on.high > on.low ? components[component].pieces : components[component].around).push_back(piece);
   }
 
+  /// On which side of an edge its region is, in the world: see RegionSides.
+  int regionSide(int side, EdgePosition edge) const {
+    const PolygonData& polygon = sides_[side].polygon;
+    const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
+    return isMirrored(poseOf(pair_, side)) ? -region : region;
+  }
+
   /// False if it is no longer than rounding.
   bool makePiece(int side, EdgePosition edge, const Span& on, OutlinePiece& piece) const {
     const Ends all = ends(side, edge);
     piece = {all, on, side, edge, false, false};
     const double length = on.high > 0 ? piece.length() : piece.way().norm();
     if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
-    const PolygonData& polygon = sides_[side].polygon;
-    const int region = regionSidesOf(polygon).rings[polygon.ringOf(edge)];
-    if (region != 0) {
-      piece.left = (region > 0) != isMirrored(poseOf(pair_, side));
+    if (const int region = regionSide(side, edge); region != 0) {
+      piece.left = region > 0;
       piece.right = !piece.left;
       return true;
     }

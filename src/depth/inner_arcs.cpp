@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "contact/boundary_point.h"
-#include "numbers/rigidity.h"
 
 namespace tricover::detail {
 namespace {
@@ -15,12 +14,6 @@ struct RingStop {
   double at;
   EdgePosition other;
   int change;  ///< of the other's winding number; 0 if it may be anything
-};
-
-/// The other's winding number in the world beside a ring's current place, where it is known.
-struct KnownWinding {
-  bool is_known = false;
-  int number = 0;
 };
 
 class Collector {
@@ -38,29 +31,28 @@ class Collector {
   void addRing(std::size_t ring, const RingStop* begin, const RingStop* end) {
     const EdgePosition first = own_.edgeBegin(ring), last = own_.edgeEnd(ring);
     if (begin == end) return addWhole(first, last);
-    KnownWinding winding;
+    Winding winding;  // the other's, in the world
     const RingStop* stop = end - 1;
     for (const RingStop* next = begin; next < end; stop = next++) {
-      winding.is_known = winding.is_known && stop->change != 0;
-      winding.number += stop->change;
+      winding.pass({stop->change != 0, stop->change});
       addArc(*stop, *next, stop < next && stop->edge == next->edge, first, last, winding);
     }
   }
 
  private:
   void addWhole(EdgePosition first, EdgePosition last) {
-    const KnownWinding winding = windingAt(first);
-    if (winding.is_known && !isSought(winding)) return;
+    const Winding winding = windingAt(first);
+    if (winding.known && !isSought(winding)) return;
     begin();
     for (EdgePosition v = first; v <= last; ++v) add(vertex(v), v);
-    end(winding.is_known, kNoEdge, kNoEdge);
+    end(winding.known, kNoEdge, kNoEdge);
   }
 
   void addArc(const RingStop& stop, const RingStop& next, bool on_one_edge, EdgePosition first, EdgePosition last,
-              KnownWinding& winding) {
+              Winding& winding) {
     const auto after = [&](EdgePosition v) { return v + 1 < last ? v + 1 : first; };
-    if (!on_one_edge && !winding.is_known) winding = windingAt(after(stop.edge));
-    if (winding.is_known && !isSought(winding)) return;
+    if (!on_one_edge && !winding.known) winding = windingAt(after(stop.edge));
+    if (winding.known && !isSought(winding)) return;
     begin();
     add(on(stop), stop.edge);
     if (!on_one_edge) {
@@ -69,16 +61,15 @@ class Collector {
       for (; v != next.edge; add(vertex(v), v)) v = after(v);
     }
     add(on(next), next.edge);
-    end(winding.is_known, stop.other, next.other);
+    end(winding.known, stop.other, next.other);
   }
 
-  KnownWinding windingAt(EdgePosition v) const {
+  Winding windingAt(EdgePosition v) const {
     if (!has_windings_) return {};
-    const Inclusion found = includeInPolygon(pair_.a, seenFromA(pair_, own_.path[v]));
-    if (found.location == Location::Boundary) return {};
-    return {true, isMirrored(pair_.pose_a) ? -found.winding : found.winding};
+    const Inclusion found = includeVertexOfB(pair_, v);
+    return {found.location != Location::Boundary, found.winding};
   }
-  bool isSought(const KnownWinding& winding) const { return isInside(pair_.a.fill, winding.number) == wants_inside_; }
+  bool isSought(const Winding& winding) const { return isInside(pair_.a.fill, winding.number) == wants_inside_; }
 
   Vec2 vertex(EdgePosition v) const { return frame_.from(side_, own_.path[v]); }
   Vec2 on(const RingStop& stop) const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hierarchy/simd.h"
 #include "numbers/segment.h"
@@ -80,20 +79,12 @@ EdgeSides::EdgeSides(const PosedRegions& regions, std::size_t operand, EdgePosit
       line_(regions.edge(operand, edge), regions.at(operand, edge).approx, regions.at(operand, edge + 1).approx) {
   const Path& path = regions.polygon(operand).path;
   if (path[edge] == path[edge + 1]) return;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  events_.push_back(LineSweep::pointEvent(operand, edge, line_.v.exact, 0));
-  events_[0].place = -kInfinity;
   for (std::size_t i = 0; i < regions.size(); ++i)
     if (i == operand || regions.isNear(i, line_.v.approx, line_.w.approx)) findEvents(i, before);
-  std::sort(events_.begin() + 1, events_.end(),
-            [&](const SweepEvent& p, const SweepEvent& q) { return line_.compare(p, q) < 0; });
-  events_.push_back(LineSweep::pointEvent(operand, edge, line_.w.exact, 0));
-  events_.back().place = kInfinity;
-  for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
-    windings_.at(events_[i].polygon).add(events_[i]);
-    // Between events at one place there is nothing.
-    if (line_.compare(events_[i], events_[i + 1]) < 0) addPiece(i);
-  }
+  line_.forEachPlace(events_, operand, edge, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) windings_.at(events_[i].polygon).add(events_[i]);
+    if (end < events_.size()) addPiece(end - 1);
+  });
 }
 
 /// Finds the winding numbers of one polygon at v, and its events from there on.
@@ -117,7 +108,10 @@ void EdgeSides::findEvents(std::size_t operand, const EdgeSides* before) {
     const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
     const LineMeeting meeting = meetLine(line_.v, line_.w, operand, edge, q, r);
     if (meeting.kind == LineMeeting::Along && operand != operand_ && operand_ == A && regions_.findsAlong())
-      addAlong(operand, edge, q, r);
+      for (const LineMeeting& end : line_.meetAlong(operand, edge, q.exact, r.exact)) {
+        if (end.at_v <= 0) windings_.at(operand).add(end.event);
+        addEvent(end, q, r);
+      }
     if (meeting.kind == LineMeeting::Point) addEvent(meeting, q, r);
     const bool is_at_v = meeting.kind == LineMeeting::Point
                              ? meeting.at_v == 0
@@ -146,7 +140,7 @@ void EdgeSides::comeFromOutside(Approach& approach, std::size_t operand, const V
   });
 }
 
-/// An edge that meets this one between its ends.
+/// Of an edge that may meet this one between its ends.
 void EdgeSides::addEvent(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r) {
   if (meeting.at_v <= 0 || meeting.at_w >= 0) return;
   const ApproxPoint &v = line_.v.approx, &w = line_.w.approx;
@@ -154,19 +148,6 @@ void EdgeSides::addEvent(const LineMeeting& meeting, const SeenPoint& q, const S
   events_.push_back(meeting.event);
   events_.back().place = share.middle;
   events_.back().error = share.error;
-}
-
-/// From an edge's first end on the line on there is one more along it, from its last end on one less.
-void EdgeSides::addAlong(std::size_t operand, EdgePosition edge, const SeenPoint& q, const SeenPoint& r) {
-  const int direction = -line_.compare(q.exact, r.exact);
-  for (const auto& [end, along] : {std::pair(&q, direction), std::pair(&r, -direction)}) {
-    SweepEvent event = LineSweep::pointEvent(operand, edge, end->exact, along);
-    event.place = event.error = 0.5;
-    if (line_.compare(end->exact, line_.v.exact) <= 0)
-      windings_.at(operand).add(event);
-    else if (line_.compare(end->exact, line_.w.exact) < 0)
-      events_.push_back(event);
-  }
 }
 
 /// The left of the sweep stays on the left of the path u v w, its right on the right. An edge that v is on leads from v
@@ -254,7 +235,7 @@ bool EdgeSides::isBeyond(EdgePosition edge, const SweepEvent& event, int side) c
   const std::size_t operand = operand_ == A ? B : A;
   const SeenPoint q = regions_.at(operand, edge), r = regions_.at(operand, edge + 1);
   const auto isThere = [&](const SeenPoint& from, const SeenPoint& to) {
-    const SweepEvent at{from.exact.pose, {from.exact.local, to.exact.local}, operand, edge, 0, 0, 0, 0.5, 0.5};
+    const SweepEvent at{from.exact.pose, {from.exact.local, to.exact.local}, operand, edge};
     return line_.compare(event, at) * side < 0;
   };
   return orientation(line_.v, line_.w, q) != 0 || orientation(line_.v, line_.w, r) != 0

@@ -115,7 +115,6 @@ class EdgeSides {
   void findEvents(std::size_t operand, const EdgeSides* before);
   void comeFromOutside(Approach& approach, std::size_t operand, const Vec2& at, double error) const;
   void addEvent(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r);
-  void addAlong(std::size_t operand, EdgePosition edge, const SeenPoint& q, const SeenPoint& r);
   void goAround(const Approach& approach, const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r);
   Sides insides(std::size_t operand) const;
   void addPiece(std::size_t event);

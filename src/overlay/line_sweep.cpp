@@ -52,6 +52,16 @@ LineMeeting meetLine(const SeenPoint& v, const SeenPoint& w, std::size_t polygon
   return meeting;
 }
 
+std::array<LineMeeting, 2> LineSweep::meetAlong(std::size_t polygon, EdgePosition position, const PosedPoint& q,
+                                                const PosedPoint& r) const {
+  const int direction = -compare(q, r);
+  const auto meeting = [&](const PosedPoint& end, int along) -> LineMeeting {
+    const int at_v = compare(end, v.exact), at_w = at_v <= 0 ? -1 : compare(end, w.exact);
+    return {LineMeeting::Point, at_v, at_w, 0, 0, pointEvent(polygon, position, end, along)};
+  };
+  return {meeting(q, direction), meeting(r, -direction)};
+}
+
 int LineSweep::compare(const PosedPoint& p, const PosedPoint& q) const {
   for (const int axis : {0, 1})
     if (const int sign = compareExact(w.exact, v.exact, axis)) return compareExact(p, q, axis) * sign;

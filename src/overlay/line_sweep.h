@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "numbers/predicates.h"
 #include "polygon/edge_position.h"
@@ -31,7 +34,7 @@ struct SweepEvent {
   EdgePosition position;            ///< of the edge
   std::int8_t left = 0, right = 0;  ///< by how much
   std::int8_t along = 0;            ///< how many edges more run along the line
-  double place = 0, error = 0;      ///< 0 at the segment's start, 1 at its end
+  double place = 0.5, error = 0.5;  ///< 0 at the segment's start, 1 at its end; anywhere between, until it is known
 };
 
 /// The winding numbers of a polygon on both sides of the line, and how many of its edges run along it.
@@ -52,7 +55,7 @@ struct LineMeeting {
   SweepEvent event;
 };
 
-/// Exact, but for the event's place, which is not set.
+/// Exact, but for the event's place, which is not known.
 ///
 /// The left of the line is the line itself, moved to the left by next to nothing. An edge crosses that if one of its
 /// ends is on the left and the other is not. The right is the same. An edge along the line crosses neither. An edge
@@ -66,19 +69,40 @@ class LineSweep {
   LineSweep(const PosedSegment& segment, const ApproxPoint& begin, const ApproxPoint& end)
       : v{begin, segment[0]}, w{end, segment[1]}, segment_(segment) {}
 
-  /// A point on the line, from which on more edges run along it.
-  static SweepEvent pointEvent(std::size_t polygon, EdgePosition position, const PosedPoint& point, int along) {
-    return {point.pose, {point.local, point.local}, polygon, position, 0, 0, static_cast<std::int8_t>(along)};
-  }
+  /// How the ends q and r of an edge along the line meet it: from its first end on there is one more edge along the
+  /// line, from its last end on one less. Exact.
+  std::array<LineMeeting, 2> meetAlong(std::size_t polygon, EdgePosition position, const PosedPoint& q,
+                                       const PosedPoint& r) const;
 
-  /// The order in which the sweep comes to two points on the line: -1 if p is first. Exact.
-  int compare(const PosedPoint& p, const PosedPoint& q) const;
-  /// The same of two events, whose places are known to within their errors. Exact.
+  /// The order in which the sweep comes to two events, whose places are known to within their errors: -1 if p is first.
+  /// Exact.
   int compare(const SweepEvent& p, const SweepEvent& q) const;
+
+  /// Sorts events from v to w, and adds one at v and one at w, of an edge that the segment stands for. Calls
+  /// visit(begin, end) for the events [begin, end) at each place.
+  template <typename Visit>
+  void forEachPlace(std::vector<SweepEvent>& events, std::size_t polygon, EdgePosition position, Visit visit) const {
+    std::sort(events.begin(), events.end(),
+              [&](const SweepEvent& p, const SweepEvent& q) { return compare(p, q) < 0; });
+    events.insert(events.begin(), pointEvent(polygon, position, v.exact, 0));
+    events.push_back(pointEvent(polygon, position, w.exact, 0));
+    events.front().place = events.front().error = events.back().error = 0;
+    events.back().place = 1;
+    for (std::size_t begin = 0, end; begin < events.size(); begin = end) {
+      for (end = begin + 1; end < events.size() && compare(events[begin], events[end]) == 0;) ++end;
+      visit(begin, end);
+    }
+  }
 
   const SeenPoint v, w;
 
  private:
+  static SweepEvent pointEvent(std::size_t polygon, EdgePosition position, const PosedPoint& point, int along) {
+    return {point.pose, {point.local, point.local}, polygon, position, 0, 0, static_cast<std::int8_t>(along)};
+  }
+  /// The order of two points on the line.
+  int compare(const PosedPoint& p, const PosedPoint& q) const;
+
   const PosedSegment segment_;
 };
 

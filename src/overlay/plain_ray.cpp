@@ -10,6 +10,7 @@
 #include "hierarchy/simd.h"
 #include "numbers/errors.h"
 #include "numbers/rigidity.h"
+#include "overlay/line_sweep.h"
 #include "pair/four_ends.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"
@@ -72,8 +73,8 @@ class RayCast {
   }
 
  protected:
-  FourEnds endsWith(std::size_t edge) const {
-    return {{from_, to_, vertex(edge), vertex(edge + 1)}, ray(), segment(edge)};
+  FourEnds endsWith(EdgePosition edge) const {
+    return {{from_, to_, at(edge).approx, at(edge + 1).approx}, ray(), segment(edge)};
   }
   /// An end of the ray. What it errs by is known exactly, but for underflow.
   ApproxPoint fromTranslation(const Vec2& p) const {
@@ -81,17 +82,19 @@ class RayCast {
     const Double2 error = absolute(at.low);
     return {at.high[0], at.high[1], error[0] + error[1] + kTiny};
   }
-  /// R p in either coordinate: products 1U, sum 1U, of |p|_1. Nothing rounds where R is the identity.
-  ApproxPoint vertex(std::size_t position) const {
-    const Double2 p = load2(polygon_.path[position].data()), size = absolute(p);
+  /// A vertex, by its position. R p in either coordinate: products 1U, sum 1U, of |p|_1. Nothing rounds where R is the
+  /// identity.
+  SeenPoint at(EdgePosition position) const {
+    const Vec2& vertex = polygon_.path[position];
+    const Double2 p = load2(vertex.data()), size = absolute(p);
     const double* m = pose_.data();  // columns of three
-    const Double2 at = load2(m) * p[0] + load2(m + 3) * p[1];
-    return {at[0], at[1], vertex_error_ * (size[0] + size[1]) + kTiny};
+    const Double2 turned = load2(m) * p[0] + load2(m + 3) * p[1];
+    return {{turned[0], turned[1], vertex_error_ * (size[0] + size[1]) + kTiny}, {&pose_, vertex}};
   }
   static constexpr double kVertexError = 2.1 * kUnitRoundoff;
   static_assert(kVertexError >= kUnitRows * errorOf(2) * (1 + errorOf(2)));
   PosedSegment ray() const { return {nullptr, ends_}; }
-  PosedSegment segment(std::size_t edge) const { return {&pose_, &polygon_.path[edge]}; }
+  PosedSegment segment(EdgePosition edge) const { return {&pose_, &polygon_.path[edge]}; }
   const Vec2& from() const { return ends_[0]; }
   const Vec2& to() const { return ends_[1]; }
 
@@ -165,19 +168,17 @@ class RayCast {
   }
 
   /// By the true fractions, so that the first edge is what it is in whatever order edges come.
-  bool isBefore(std::size_t edge, double fraction) const {
-    if (areApart(fraction, fraction_)) return fraction < fraction_;
+  bool isBefore(EdgePosition edge, double fraction) const {
+    if (std::abs(fraction - fraction_) > fractionsApart()) return fraction < fraction_;
     const int order = compareFractionsExact(ray(), segment(edge), segment(edge_));
     return order != 0 ? order < 0 : edge < edge_;
   }
 
-  bool areApart(double fraction, double other) const {
-    return std::abs(fraction - other) > kFractionsApart * (known_ ? share_ : 1);
-  }
+  double fractionsApart() const { return kFractionsApart * (known_ ? share_ : 1); }
 
   /// Returns the normal of an edge that is hit, towards an end of the ray. That end is on the edge's line only where
   /// the ray runs along the edge or the edge has no length.
-  Vec2 normal(std::size_t edge, int seen_from) const {
+  Vec2 normal(EdgePosition edge, int seen_from) const {
     const int side = endsWith(edge).sign(2, 3, seen_from);
     if (side == 0) return seen_from == 0 ? Vec2(-unitVector(from(), to())) : unitVector(from(), to());
     const Vec2 along = pose_.linear() * unitVector(polygon_.path[edge], polygon_.path[edge + 1]);
@@ -206,54 +207,39 @@ class RayCast {
   double fraction_ = 0;
 };
 
-/// All of the ray in the region. On the ray's line, the winding number on its left is the sum of the turns of all edges
-/// that lead across the line before. What is on its right matters only along edges, which are in the region anyway.
+/// All of the ray in the region, by a sweep along the ray's line from behind the region.
 class RayCastAll : private RayCast {
  public:
   RayCastAll(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to)
-      : RayCast(polygon, pose, from, to, 1) {}
+      : RayCast(polygon, pose, from, to, 1), sweep_(ray(), from_, to_) {}
 
   std::vector<RayInterval> all() {
     const bool in_units = bringToUnits();
     if (in_units && passesBy()) return {};
-    const RayHit end{1, to(), unitVector(from(), to()), -1};
-    if (from() == to()) return std::vector<RayInterval>(startsInside(in_units) ? 1 : 0, {start(), end});
-    events_ = {{nullptr, {from(), from()}, kRay, 0, 0, 0}, {nullptr, {to(), to()}, kRay, 1, 0, 0}};
+    const RayHit last{1, to(), unitVector(from(), to()), -1};
+    if (from() == to()) return std::vector<RayInterval>(startsInside(in_units) ? 1 : 0, {start(), last});
     Ray line = ray_;
     const bool is_known = in_units && bringBack(line);
-    forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](EdgePosition edge) { return add(edge), true; });
-    std::sort(events_.begin(), events_.end(), [&](const Event& p, const Event& q) { return compare(p, q) < 0; });
+    forEachEdgeOn(polygon_, is_known ? &line : nullptr, [this](EdgePosition edge) { return meet(edge), true; });
 
     std::vector<RayInterval> intervals;
     bool is_open = false;
-    for (std::size_t i = 0, next;; i = next) {
-      for (next = i + 1; next < events_.size() && compare(events_[i], events_[next]) == 0;) ++next;
-      const bool is_from = i == 0, is_to = next == events_.size(), is_alone = (is_from || is_to) && next == i + 1;
-      const bool begins = !is_open && (isInside() || !is_alone);
-      if (begins) {
-        intervals.push_back({is_from ? start() : hitOf(i, next, 0), end});
+    sweep_.forEachPlace(events_, 0, kRay, [&](std::size_t begin, std::size_t end) {
+      const bool is_from = begin == 0, is_to = end == events_.size(), is_alone = (is_from || is_to) && end == begin + 1;
+      if (!is_open && (isInside() || !is_alone)) {
+        intervals.push_back({is_from ? start() : hitOf(begin, end, 0), last});
         is_open = true;
       }
-      if (is_to) return intervals;
-      for (std::size_t k = i; k < next; ++k) winding_ += events_[k].turn, along_ += events_[k].along;
-      if (!is_open || isInside()) continue;
+      for (std::size_t i = begin; i < end; ++i) windings_.add(events_[i]);
+      if (!is_open || is_to || isInside()) return;
       is_open = false;
-      intervals.back().end = hitOf(i, next, 1);
-    }
+      intervals.back().end = hitOf(begin, end, 1);
+    });
+    return intervals;
   }
 
  private:
-  /// A place on the ray: where an edge meets it, a vertex where an edge begins or ends to run along it, or an end.
-  struct Event {
-    PosedSegment segment() const { return {pose, ends}; }
-
-    const Pose* pose;
-    Vec2 ends[2];             ///< of the edge, or twice the point
-    EdgePosition edge;        ///< or kRay
-    double fraction;          ///< or 0 or 1, whichever is nearer
-    std::int8_t turn, along;  ///< how the winding number on the left changes, and the number of edges along the line
-  };
-  static constexpr EdgePosition kRay = kNoEdge;
+  static constexpr EdgePosition kRay = kNoEdge;  ///< above all positions
 
   /// Begins the ray's line where it is behind all of the polygon. False if doubles don't know the line that well.
   ///
@@ -269,56 +255,37 @@ class RayCastAll : private RayCast {
     return line.error < 0x1p-4 && length_ * polygon_.unit > kLeastLength;
   }
 
-  bool isInside() const { return along_ > 0 || detail::isInside(polygon_.fill, winding_); }
+  /// What is on the right matters only along edges, which are in the region anyway.
+  bool isInside() const { return windings_.along > 0 || detail::isInside(polygon_.fill, windings_.left); }
 
-  /// An edge that may meet the ray's line before the ray's end.
-  void add(EdgePosition edge) {
-    const FourEnds ends = endsWith(edge);
-    const int v = ends.sign(0, 1, 2), w = ends.sign(0, 1, 3);
-    if (v * w > 0) return;
-    if (v == 0 && w == 0) {
-      Event at_v = eventAt(ends.exact(2), edge, 1), at_w = eventAt(ends.exact(3), edge, -1);
-      if (compare(at_v, at_w) > 0) std::swap(at_v.along, at_w.along);
-      for (const Event& at : {at_v, at_w}) {
-        if (compare(at, events_[0]) < 0)
-          along_ += at.along;
-        else if (compare(at, events_[1]) <= 0)
-          events_.push_back(at);
-      }
-      return;
-    }
-    const int slant = w > v ? 1 : -1;
-    if (ends.sign(2, 3, 1) * slant > 0) return;
-    const auto turn = static_cast<std::int8_t>((w > 0) - (v > 0));
-    if (ends.sign(2, 3, 0) * slant < 0) {
-      winding_ += turn;
-    } else {
-      events_.push_back({&pose_, {ends.exact(2).local, ends.exact(3).local}, edge, fractionOf(ends), turn, 0});
-    }
-  }
-  Event eventAt(const PosedPoint& point, EdgePosition edge, std::int8_t along) const {
-    Event event{point.pose, {point.local, point.local}, edge, 0, 0, along};
-    event.fraction = std::clamp(fractionExact(ray(), event.segment()), 0.0, 1.0);
-    return event;
+  void meet(EdgePosition edge) {
+    const SeenPoint q = at(edge), r = at(edge + 1);
+    const LineMeeting meeting = meetLine(sweep_.v, sweep_.w, 0, edge, q, r);
+    if (meeting.kind == LineMeeting::Point) add(meeting, q, r);
+    if (meeting.kind != LineMeeting::Along) return;
+    for (const LineMeeting& end : sweep_.meetAlong(0, edge, q.exact, r.exact)) add(end, q, r);
   }
 
-  int compare(const Event& p, const Event& q) const {
-    if (areApart(p.fraction, q.fraction)) return p.fraction < q.fraction ? -1 : 1;
-    return compareFractionsExact(ray(), p.segment(), q.segment());
+  void add(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r) {
+    if (meeting.at_v < 0) return windings_.add(meeting.event);
+    if (meeting.at_w > 0) return;
+    SweepEvent& event = events_.emplace_back(meeting.event);
+    event.place = fractionOf({{from_, to_, q.approx, r.approx}, ray(), event.edge()});
+    event.error = 0.5 * fractionsApart();
   }
 
   /// The hit at events that are at one place, seen from one end of the ray. Fractions of different edges at nearly one
   /// place are rounded each on its own: none is before the last hit's.
   RayHit hitOf(std::size_t begin, std::size_t end, int seen_from) {
-    const auto isLower = [](const Event& p, const Event& q) { return p.edge < q.edge; };
-    const Event& lowest = *std::min_element(&events_[begin], &events_[begin] + (end - begin), isLower);
-    reached_ = begin == 0 ? 0 : std::max(lowest.fraction, reached_);
-    return hitAt(lowest.edge, reached_, seen_from);
+    const auto isLower = [](const SweepEvent& p, const SweepEvent& q) { return p.position < q.position; };
+    const SweepEvent& lowest = *std::min_element(&events_[begin], &events_[begin] + (end - begin), isLower);
+    reached_ = begin == 0 ? 0 : std::max(lowest.place, reached_);
+    return hitAt(lowest.position, reached_, seen_from);
   }
 
-  std::vector<Event> events_;
-  int winding_ = 0;  ///< on the left, before the next events
-  int along_ = 0;    ///< how many edges run along the line there
+  const LineSweep sweep_;
+  std::vector<SweepEvent> events_;
+  Windings windings_;  ///< before the next events
   double reached_ = 0;
 };
 

@@ -12,7 +12,7 @@ MUTATIONS = [
     ("src/depth/deepest_point.cpp", "if (!piece.is_known) return Look::InArea;", "", "depth: arcs that run along a border aren't located"),
     ("src/depth/deepest_point.cpp", "if (part_.polygon.isDegenerate()) return;", "return;", "depth: the interior isn't searched"),
     ("src/depth/peak.h", "value = std::min(value, highest);", "value = std::min(value, 0.5 * highest);", "depth: upper bounds of cells too low"),
-    ("src/depth/inner_arcs.cpp", "if (found.location == Location::Boundary) return {};", "", "depth: an arc's winding number taken from a boundary"),
+    ("src/depth/inner_arcs.cpp", "{found.location != Location::Boundary, found.winding}", "{true, found.winding}", "depth: an arc's winding number taken from a boundary"),
     ("src/depth/collide.cpp", "depth > allowed : depth >= allowed", "depth >= allowed : depth >= allowed", "negative margins: touching allowed"),
     ("src/depth/signed_distance.cpp", "return {-d.upper_bound - options.margin,", "return {-d.upper_bound,", "signed distance: depths without the margin"),
     ("src/depth/signed_distance.cpp", "result.normal = -result.normal;", "", "signed distance: the normal of swapped operands"),
