@@ -34,7 +34,8 @@ bool mayWindAround(const PolygonData& polygon, const Vec2& at, double error) {
 /// from there is hardly along edges.
 Vec2 outsideBeside(const PolygonData& polygon, const Vec2& at) {
   const double far = 0x1p-6 + 0x1p-48 * polygon.extent * polygon.inverse_unit;
-  if (!polygon.fitsUnit() || !(at.lpNorm<1>() < 0x1p10)) return {8, 3};
+  // Where the polygon doesn't fit the unit, doubles are below 16 units: nothing is 32 units from S.
+  if (!polygon.fitsUnit() || !(at.lpNorm<1>() < 0x1p10)) return {64, 24};
   const Box& root = topOf(polygon).root;
   const Vec2 axis(root.ux, root.uy), from = at - Vec2(root.x, root.y), normal(-axis.y(), axis.x());
   const double along = from.dot(axis), across = from.dot(normal);

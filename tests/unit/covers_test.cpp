@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tricover/collide.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
 
@@ -188,6 +189,19 @@ TEST(Covers, RingsThatOverlapAreOneArea) {
   EXPECT_TRUE(covers(cross, point({3, 3}), 1.4142));
   EXPECT_FALSE(covers(cross, point({3, 3}), 1.4143));
   EXPECT_FALSE(covers(Polygon({rectangle(0, 2, 6, 4), rectangle(2, 0, 4, 6)}), Polygon({rectangle(1, 2, 5, 4)})));
+}
+
+/// They reach farther than the power of two that is their unit.
+TEST(Covers, LargestPolygons) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const Polygon all({rectangle(-kMost, -kMost, kMost, kMost)}), left({rectangle(-kMost, -kMost, 0, kMost)}),
+      right({rectangle(0, -kMost, kMost, kMost)});
+  EXPECT_TRUE(covers(all, left));
+  EXPECT_FALSE(covers(left, all));
+  EXPECT_FALSE(covers(left, right));
+  const CollideOptions open{0, 0, Touching::Allowed};
+  EXPECT_TRUE(collide(all, kHere, left, kHere, open));
+  EXPECT_FALSE(collide(left, kHere, right, kHere, open));
 }
 
 }  // namespace

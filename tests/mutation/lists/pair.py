@@ -8,6 +8,7 @@ MUTATIONS = [
     ("src/overlay/edge_sides.cpp", "if (side < 0) beside.right += direction;", "", "interiors: edges around a vertex aren't passed"),
     ("src/overlay/edge_sides.cpp", "if (approach.leads_back) return;", "", "interiors: an edge that leads back"),
     ("src/overlay/edge_sides.cpp", "approach.bend >= 0 ? std::min(of_approach, of_end) :", "", "interiors: left and right turns around a vertex"),
+    ("src/overlay/edge_sides.cpp", "return {64, 24};", "return {8, 3};", "interiors: the way to the largest polygons begins in them"),
     ("src/overlay/edge_sides.cpp", "meeting.at_v > 0 && meeting.at_w < 0", "meeting.at_v >= 0 && meeting.at_w < 0", "interiors: edges at the end of the way are passed twice"),
     ("src/overlay/interiors.cpp", "has_bare_[operand] |= sides.hasAny(&EdgeSides::Piece::isBare);", "", "interiors: edges without area lead there"),
     ("src/overlay/interiors.cpp", "    if (beginsPoint(operand == EdgeSides::A ? pair_.a : pair_.b, edge))\n      return isInInterior(pair_, operand, edge, sides_);\n", "", "interiors: of points"),
