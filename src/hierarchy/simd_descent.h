@@ -178,7 +178,7 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   const std::uint32_t index = item.child;
   const Block& block = into_a ? d.a.blocks[index] : d.b.blocks[index];
   const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
-  const Query query = queryFor(other, into_a ? d.polygon_b : d.polygon_a, map, block, d.rounding);
+  const Query query = queryFor(other, into_a ? d.polygon_b : d.polygon_a, map, block);
   const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
   const Step step = stepOf(in_a, goal.limit / in_a, query.slack * Goal::kSlacks, query.cap);
   const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), query);
@@ -232,7 +232,7 @@ template <class Lanes>
   const double size = map.scale * b.scale * a.inverse;
   const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
   const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
-  const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
+  const double slack = map.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
   t.step = stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
 
   const FloatMap to_a(map);

@@ -137,9 +137,8 @@ constexpr double kLong = 512, kKept = 64;
   return kKept - 4;
 }
 
-/// `rounding` is Descent's.
 [[gnu::always_inline]] inline Query queryFor(const Item& item, const PolygonData& polygon, const UnitMap& map,
-                                             const Block& block, double rounding) {
+                                             const Block& block) {
   double x = (map.scale * (map.r00 * item.x + map.r01 * item.y) + map.tx - block.origin_x) * block.inverse;
   double y = (map.scale * (map.r10 * item.x + map.r11 * item.y) + map.ty - block.origin_y) * block.inverse;
   double ux = map.r00 * item.ux + map.r01 * item.uy, uy = map.r10 * item.ux + map.r11 * item.uy;
@@ -148,7 +147,7 @@ constexpr double kLong = 512, kKept = 64;
   double across = item.across * size;
   double cap = 1e30;
   if (along > kLong) cap = clip(item, polygon, map, block, x, y, ux, uy, along, across);
-  const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
+  const double slack = map.rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
   return {static_cast<float>(x),     static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
           static_cast<float>(along), static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
 }

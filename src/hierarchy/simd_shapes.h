@@ -8,9 +8,9 @@ namespace tricover::detail::simd {
 
 /// What distances from lines may be off by. Points, normals and offsets below 8 are rounded to floats and a few
 /// operations follow, in all less than 64 2^-24. 8 times a gap's rounding is more.
-inline float lineSlack(const UnitMap& map, double rounding) {
+inline float lineSlack(const UnitMap& map) {
   static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
-  return static_cast<float>(8 * rounding + map.error);
+  return static_cast<float>(8 * map.rounding + map.error);
 }
 
 /// By how much the vertex of q that is farthest back is beyond each edge of eight. Boxes and triangles are the
@@ -55,9 +55,9 @@ template <class Lanes>
 /// 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
 /// distance of the centres, s - d >= (s^2 - d^2) / (2 s) where that is positive.
 template <class Lanes>
-double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
+double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map) {
   const FloatMap to_a(map);
-  const float slack = lineSlack(map, rounding);
+  const float slack = lineSlack(map);
   const float reach = a.reach + b.reach * to_a.scale;
   if (to_a.tx * to_a.tx + to_a.ty * to_a.ty > reach * reach) return 0;
   const Lanes bx = Lanes::load(b.x) * to_a.scale, by = Lanes::load(b.y) * to_a.scale;
@@ -221,10 +221,10 @@ template <class Lanes>
 /// An edge of b, whose vertices are at x, y, leads out of a from a vertex in it, or across it; or one of them lies in
 /// the other, by more than the slack.
 template <class Lanes>
-ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
   float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
   mapVertices<Lanes>(b, map, x, y);
-  const Lanes limit = Lanes::all(-lineSlack(map, rounding));
+  const Lanes limit = Lanes::all(-lineSlack(map));
   unsigned in = 0, shallow = 0;
   for (int i = 0; i < b.lanes; i += kLanes) {
     const Lanes out = outside<Lanes>(a.nx, a.ny, a.d, a.count, Lanes::load(x + i), Lanes::load(y + i));

@@ -121,14 +121,13 @@ struct DoubtfulEdges {
 /// Two segments cross if the ends of each are on different sides of the other's line, and share no point if those of
 /// one are on the same side. Signs are certain beyond the slack.
 template <class Lanes>
-Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
-                     const EdgeCheck& check) {
+Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, const EdgeCheck& check) {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost], nx[SmallPolygon::kMost], ny[SmallPolygon::kMost],
       d[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
   const SmallView view_a{a, a.x, a.y, a.nx, a.ny, a.d}, view_b{b, x, y, nx, ny, d};
-  const float slack = lineSlack(map, rounding);
+  const float slack = lineSlack(map);
   DoubtfulEdges doubtful;
   for (unsigned left = edgesNear<Lanes>(a, view_b, slack); left != 0; left &= left - 1) {
     const int j = __builtin_ctz(left), k = b.next[j];

@@ -112,7 +112,7 @@ bool discsStayApart(const PosedPair& at, Double2 path, double margin) {
 bool guessEdge(const PosedPair& at, Double2 path, double margin, bool backwards, ConvexGap& guess) {
   const SmallPolygon *a = topOf(at.a).small_convex, *b = topOf(at.b).small_convex;
   if (a == nullptr || b == nullptr) return false;
-  UnitMap map = at.inUnits(0).map;  // a guess needs no bounds
+  UnitMap map = at.inUnits(0);  // a guess needs no bounds
   Double2 in_units = at.inUnitsOfA(path);
   const double reach = margin * at.a.inverse_unit;
   if (!(std::abs(map.tx) + std::abs(map.ty) + lengthOne(in_units) + reach < 0x1p60))

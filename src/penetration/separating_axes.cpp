@@ -27,7 +27,7 @@ static_assert(kClimbError >= kUnitRows * errorOf(1) * (1 + 2 * kRoot2 + 2 * kRoo
 //   both corners are off by PosedPair::kErrorOfB in either coordinate  5 sqrt2
 //   their difference 1U, the edge's direction (1 + 2 sqrt2) U          4.9 * 3
 //   cross product, the edge's length, quotient: 10U                    10 * 3
-// error() is more than what TurnBack makes of a corner: 1.5 * 5 + 8 sqrt2.
+// error() is more than what turnedBack() makes of a corner: 1.5 * 5 + 8 sqrt2.
 constexpr double kSumOfDepthErrors = 18 * 2 * kRoot2 + 5 * kRoot2 + 4.9 * 3 + 10 * 3;
 
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
@@ -121,7 +121,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
       b_(pair.b, pair.pose_b, pair.shift()),
       within_(tie() + 3 * depthError()) {
   static_assert(kDepthError * kError >= kUnitRows * kSumOfDepthErrors * kUnitRoundoff &&
-                kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * TurnBack::kError));
+                kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * kTurnedBackError));
   if (!(size_ < 0x1p200)) return;  // areas or their squares may overflow
   verdict_ = lookBehindAll();
   if (verdict_ != Meet) return;
@@ -196,7 +196,7 @@ void SeparatingAxes::skipDeep(const AxisSide& side, Double2 p, std::uint32_t& ed
   const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + depthError(),
                most_square = most * most * (1 + 8.1 * kLargestDefect);
   const ConvexRing& ring = side.ring.ring;
-  const Double2 point = side.inOwnFrame(p);
+  const Double2 point = side.ring.inOwnFrame(p);
   while (--left > 0) {
     edge = ring.next(edge);
     const Double2 way = ring.edge(edge), square = way * way;
