@@ -46,6 +46,13 @@ struct Place {
 
 /// p -> scale r p + t, from b's units to a's, as boxes, small rings and inner discs are compared.
 struct UnitMap {
+  /// Where a point of b's units is in a's.
+  [[gnu::always_inline]] double mappedX(double x, double y) const { return scale * turnedX(x, y) + tx; }
+  [[gnu::always_inline]] double mappedY(double x, double y) const { return scale * turnedY(x, y) + ty; }
+  /// r p, by its coordinates.
+  [[gnu::always_inline]] double turnedX(double x, double y) const { return r00 * x + r01 * y; }
+  [[gnu::always_inline]] double turnedY(double x, double y) const { return r10 * x + r11 * y; }
+
   /// b's S, all there is of a point.
   Place origin() const { return {tx, ty, error}; }
 
