@@ -7,8 +7,7 @@ namespace tricover::detail {
 
 PosedVertices::Twofold2 PosedVertices::twofoldWay(std::size_t at_a, std::size_t at_b, double scale) const {
   Twofold2 way;
-  detail::twofoldWay(pose_a.data(), load2(a.path[at_a].data()) * scale, pose_b.data(),
-                     load2(b.path[at_b].data()) * scale, {shift_, shift_rest_}, way);
+  detail::twofoldWay(pose_a.data(), load2(a.path[at_a].data()), pose_b.data(), load2(b.path[at_b].data()), scale, way);
   return way;
 }
 

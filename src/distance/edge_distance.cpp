@@ -54,9 +54,7 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
     // Translations may be large where their difference is small.
     const double first = std::min(scale_, 1.0), then = std::max(scale_, 1.0);
     const Double2 from = load2(pose_a.data() + 6) * first, to = load2(pose_b.data() + 6) * first;
-    const Twofold2 shift = twoSum(to, -from);
-    shift_ = shift.high * then;
-    shift_rest_ = shift.low * then;
+    shift_ = (to - from) * then;
     const Double2 away = absolute(shift_);
     const auto scaled = [&](double extent) {
       return extent < std::numeric_limits<double>::infinity() ? extent * scale_ : 0x1p325;

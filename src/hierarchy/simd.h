@@ -153,9 +153,8 @@ struct ConvexCrossing {
 };
 extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexCrossing;
 
-/// R_b q + t - R_a p of two poses' columns, where t is `shift`: right to 100 U^2 of what is summed.
-extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold<Double2>& shift,
-                 Twofold<Double2>& way)>
+/// R_b q + t_b - t_a - R_a p of two poses' columns, times a power of two: right to 100 U^2 of what is summed.
+extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, double scale, Twofold<Double2>& way)>
     twofoldWay;
 /// R (q - p) x way, and the first of these, rounded.
 extern Simd<double(const double* pose, Double2 p, Double2 q, const Twofold<Double2>& way, Double2& along)> twofoldArea;

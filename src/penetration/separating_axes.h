@@ -15,9 +15,7 @@ namespace tricover::detail {
 /// One of two polygons by its outline, in the world less a's translation.
 struct AxisSide {
   AxisSide(const PolygonData& polygon_, const Pose& pose, Double2 shift)
-      : polygon(polygon_),
-        outline(convexOutlineOf(polygon)),
-        ring({outline.points.data(), outline.corners.size(), 1}, pose, shift) {}
+      : polygon(polygon_), outline(convexOutlineOf(polygon)), ring(outline.ring(), pose, shift) {}
 
   /// Outwards from an edge, a unit vector.
   Vec2 normalOf(std::uint32_t edge) const {

@@ -8,7 +8,7 @@ MUTATIONS = [
     ("src/contact/convex_contact.cpp", "if (other_left == 0) top", "if (false) top", "convex contact: a needle along the normal"),
     ("src/penetration/separating_axes.cpp", "area * area > most_square * (square[0]", "area * area > 0.5 * most_square * (square[0]", "separating axes: the least face is skipped"),
     ("src/penetration/separating_axes.cpp", "if (face.depth < -depthError()) return Apart;", "if (face.depth < 0.1) return Apart;", "separating axes: what overlaps is apart"),
-    ("src/penetration/separating_axes.cpp", "poses_[side]->linear().determinant() < 0", "false", "convex penetration: mirrored poses"),
+    ("src/penetration/separating_axes.cpp", "isMirrored(own_pose) ? -1 : 1", "1", "convex penetration: mirrored poses"),
     ("src/penetration/separating_axes.cpp", "area / length", "area * (1 + 1e-14) / length", "convex penetration: plain doubles"),
     ("src/penetration/separating_axes.cpp", "size_ < 0x1p200", "size_ < 0x1p600", "separating axes: a diagonal of an infinite square is no depth at all"),
     ("src/penetration/separating_axes.cpp", "within_(tie() + 3 * depthError())", "within_(0)", "convex penetration: the least depth is left out"),
