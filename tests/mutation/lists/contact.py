@@ -49,7 +49,7 @@ MUTATIONS = [
     ("src/penetration/translation_search.cpp", "kLeastSurroundings = 64", "kLeastSurroundings = 0", "penetration: small cells look around by a part of themselves"),
     ("src/contact/convex_contact.cpp", "if (leads_down && walk.from[1] <= passed)", "if (false)", "convex contact: a flat outline's own ends"),
     ("src/penetration/boundary_lines.h", "((v.cwiseMin(w) - t).array() <= half)", "((v.cwiseMax(w) - t).array() <= half)", "penetration: segments that begin beyond a cell aren't near it"),
-    ("src/penetration/boundary_lines.h", "line.v + std::clamp(-line.axis.dot(line.v), 0.0, line.length) * line.axis", "nearestOnSegment(Vec2::Zero(), line.v, line.w)", "penetration: the foot on a short piece by its ends"),
+    ("src/penetration/boundary_lines.h", "line.v + footAlong(Vec2::Zero(), line.v, line.axis, 1, line.length) * line.axis", "nearestOnSegment(Vec2::Zero(), line.v, line.w)", "penetration: the foot on a short piece by its ends"),
     ("src/penetration/boundary_lines.h", "<= half * axis.lpNorm<1>()", "<= 0.7 * half", "penetration: what cuts a square's corner isn't in it"),
     ("src/penetration/translation_search.cpp", "return unchanged >= radius;", "return outcome.collides || unchanged >= radius;", "penetration: a cell whose centre overlaps is done with"),
     ("src/penetration/translation_search.cpp", "return unchanged >= radius;", "return !outcome.collides || unchanged >= radius;", "penetration: a cell whose centre is free is done with"),
