@@ -268,7 +268,7 @@ class ConvexPair {
     const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
     bool is_unsure = false;
     for (std::uint32_t k = 0; k < own.ring.ring.size(); ++k) {
-      const Located place = placeOf(other.inOwnFrame(own.ring.corner(k)), other, doubtful_);
+      const Located place = placeOf(other.ring.inOwnFrame(own.ring.corner(k)), other, doubtful_);
       if (place == Located::Outside) return place;
       is_unsure = is_unsure || place == Located::Unsure;
     }
@@ -297,7 +297,7 @@ class ConvexPair {
 
   Contact contactOf(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
     const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
-    const Double2 deepest = own.inOwnFrame(other.ring.corner(face_.deepest));
+    const Double2 deepest = own.ring.inOwnFrame(other.ring.corner(face_.deepest));
     const EdgeIndex own_edge =
         other_is_inside
             ? -1

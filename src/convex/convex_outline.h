@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "convex/convex_ring.h"
 #include "polygon/convexity.h"
 
 namespace tricover::detail {
@@ -12,6 +13,8 @@ namespace tricover::detail {
 /// A convex polygon by its strictly convex corners, counter-clockwise in its own frame from the leftmost one on. Two of
 /// them are a line segment, one is a point.
 struct ConvexOutline : Derived::Thing {
+  ConvexRing ring() const { return {points.data(), corners.size(), 1}; }
+
   std::vector<EdgePosition> corners;  ///< positions in the path
   std::vector<Vec2> points;           ///< where they are, the first once more at the end
   bool is_region = false;  ///< the polygon's region is that convex set; otherwise it is the region's convex hull

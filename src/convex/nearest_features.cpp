@@ -306,9 +306,9 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
     return found;
   }
-  const UnitPlacement at = vertices.inUnits(vertices.defect);
+  const UnitMap at = vertices.inUnits(vertices.defect);
   if (!discs_meet) {
-    const ConvexGap guess = convexGap(*a, *b, at.map);
+    const ConvexGap guess = convexGap(*a, *b, at);
     if (guess.gap > -kFloatDoubt) {
       FeatureSearch search(vertices, found);
       // The walk makes the answer independent of whether discs have been built.
@@ -316,7 +316,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     }
   }
   found.seem_to_meet = true;
-  if (std::abs(at.map.tx) + std::abs(at.map.ty) < 4) found.crossing = convexCrossing(*a, *b, at.map, at.rounding);
+  if (std::abs(at.tx) + std::abs(at.ty) < 4) found.crossing = convexCrossing(*a, *b, at);
   return found;
 }
 

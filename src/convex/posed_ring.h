@@ -3,6 +3,7 @@
 
 #include "convex/convex_ring.h"
 #include "numbers/double2.h"
+#include "numbers/rigidity.h"
 #include "tricover/pose.h"
 
 namespace tricover::detail {
@@ -29,6 +30,8 @@ class PosedRing {
     return isForward(true) ? Double2{along[1], -along[0]} : Double2{-along[1], along[0]};
   }
 
+  /// A point in the frame of the ring: off by at most kTurnedBackError of |p - shift|_1.
+  Double2 inOwnFrame(Double2 p) const { return turnedBack(column_x, column_y, p - shift); }
   /// The direction in the ring's frame along which heights of its vertices are those of the corners along n.
   Double2 inFrame(Double2 n) const { return Double2{dot(column_x, n), dot(column_y, n)}; }
   /// The support vertex along n, as ConvexRing finds it.

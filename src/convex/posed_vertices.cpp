@@ -1,30 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex/posed_vertices.h"
 
+#include <algorithm>
+
 #include "hierarchy/simd.h"
 
 namespace tricover::detail {
 
 PosedVertices::Twofold2 PosedVertices::twofoldWay(std::size_t at_a, std::size_t at_b, double scale) const {
   Twofold2 way;
-  detail::twofoldWay(pose_a.data(), load2(a.path[at_a].data()) * scale, pose_b.data(),
-                     load2(b.path[at_b].data()) * scale, {shift_, shift_rest_}, way);
+  detail::twofoldWay(pose_a.data(), load2(a.path[at_a].data()), pose_b.data(), load2(b.path[at_b].data()), scale, way);
   return way;
 }
 
-double PosedVertices::distanceBeside(bool edge_of_a, bool at_end, EdgePosition edge, std::size_t vertex,
-                                     double scale) const {
-  const std::size_t end = edge + (at_end ? 1 : 0);
-  const Twofold2 w = edge_of_a ? twofoldWay(end, vertex, scale) : twofoldWay(vertex, end, scale);
+double PosedVertices::twofoldDistance(bool edge_of_a, int place, bool at_end, EdgePosition edge, std::size_t vertex,
+                                      double scale, double& part) const {
+  const auto from = [&](bool end) {
+    const std::size_t v = edge + (end ? 1 : 0);
+    return edge_of_a ? twofoldWay(v, vertex, scale) : twofoldWay(vertex, v, scale);
+  };
+  const auto toEnd = [&part](const Twofold2& w, bool end) {
+    part = end ? 1 : 0;
+    return std::sqrt(dot(w.high, w.high));
+  };
+  const Twofold2 w = from(at_end);
+  if (place == -1 || place == 1) return toEnd(w, at_end);
   const Vec2* path = (edge_of_a ? a : b).path.data() + edge;
   const double* r = (edge_of_a ? pose_a : pose_b).data();
-  const Double2 v1 = load2(path[0].data()) * scale, v2 = load2(path[1].data()) * scale, along = v2 - v1,
-                plain = load2(r) * along[0] + load2(r + 3) * along[1];
-  const double d = std::abs(cross(plain, w.high)) / std::sqrt(dot(plain, plain));
-  if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
+  const Double2 v1 = load2(path[0].data()) * scale, v2 = load2(path[1].data()) * scale;
+  if (place == 0) {
+    const Double2 along = v2 - v1, plain = load2(r) * along[0] + load2(r + 3) * along[1];
+    const double d = std::abs(cross(plain, w.high)) / std::sqrt(dot(plain, plain));
+    if (dot(w.high, w.high) <= kSteepest * kSteepest * d * d) return d;
+  }
   Double2 u;
   const double area = twofoldArea(r, v1, v2, w, u), square = dot(u, u);
-  return square > 0x1p-900 ? std::abs(area) / std::sqrt(square) : 0;
+  if (!(square > 0x1p-900)) return square == 0 ? toEnd(w, false) : 0;
+  if (place != 0) {
+    const Twofold2 other = from(!at_end), &w1 = at_end ? other : w, &w2 = at_end ? w : other;
+    const double sign = edge_of_a ? 1 : -1, along = sign * dot(w1.high, u);
+    if (along <= 0) return toEnd(w1, false);
+    if (sign * dot(w2.high, u) >= 0) return toEnd(w2, true);
+    part = std::min(along / square, 1.0);
+  }
+  return std::abs(area) / std::sqrt(square);
 }
 
 Foot PosedVertices::twofoldBetween(std::size_t p, std::size_t q) const {

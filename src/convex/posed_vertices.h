@@ -113,10 +113,13 @@ class PosedVertices : public PosedPair {
   /// The same by two-fold numbers, plain if it is kLeastShare of the size.
   Foot twofoldBetween(std::size_t p, std::size_t q) const;
   static constexpr double kLeastShare = 0x1p-44;
-  /// How far a vertex that is certainly beside an edge, nearer to its end or its start, is from it, by two-fold numbers
-  /// but for the last steps where the way from that end is no longer than kSteepest times the distance: see
-  /// EdgeDistances. All lengths times `scale`.
-  double distanceBeside(bool edge_of_a, bool at_end, EdgePosition edge, std::size_t vertex, double scale = 1) const;
+  /// How far a vertex is from an edge, by two-fold numbers; 0 if these don't tell. The nearest point is certainly the
+  /// edge's start (place -1), its end (1) or inside (0), or that is kUncertain, and `at_end` names the nearer end.
+  /// `part` becomes where the nearest point is on the edge, from 0 to 1, unless it is certainly inside. Beside an edge
+  /// the last steps are in doubles where the way from the nearer end is no longer than kSteepest times the distance:
+  /// see EdgeDistances. All lengths times `scale`.
+  double twofoldDistance(bool edge_of_a, int place, bool at_end, EdgePosition edge, std::size_t vertex, double scale,
+                         double& part) const;
   static constexpr double kSteepest = 8.5;
 
  protected:

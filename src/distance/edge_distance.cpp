@@ -5,17 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/double_double.h"
 #include "numbers/rigidity.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
 namespace {
-
-/// In either coordinate.
-using Twofold2 = Twofold<Double2>;
-
-double norm(Double2 u) { return std::sqrt(dot(u, u)); }
 
 /// A distance that is not 0 doesn't become so by rounding.
 double atLeastSmallest(double distance) { return std::max(distance, 0x1p-1074); }
@@ -54,9 +48,7 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
     // Translations may be large where their difference is small.
     const double first = std::min(scale_, 1.0), then = std::max(scale_, 1.0);
     const Double2 from = load2(pose_a.data() + 6) * first, to = load2(pose_b.data() + 6) * first;
-    const Twofold2 shift = twoSum(to, -from);
-    shift_ = shift.high * then;
-    shift_rest_ = shift.low * then;
+    shift_ = (to - from) * then;
     const Double2 away = absolute(shift_);
     const auto scaled = [&](double extent) {
       return extent < std::numeric_limits<double>::infinity() ? extent * scale_ : 0x1p325;
@@ -196,12 +188,12 @@ EdgeDistance EdgeDistances::ofCloseFeatures(const PosedVertices& vertices, const
   const EdgePosition i = features.edge_a, j = features.edge_b;
   const bool are_vertices = features.kind == FeaturePair::kVertices, edge_of_a = features.kind != FeaturePair::kEdgeOfB;
   const int k = edge_of_a ? 0 : 2;
+  const EdgePosition edge = edge_of_a ? i : j, vertex = edge_of_a ? j : i;
   const bool allows_error = options.relative_error > 0 || options.absolute_error > 0;
   const double rounded = allows_error ? EdgeDistances(vertices).allowed(foot.distance, options) : 0;
-  const double d = rounded > 0 ? rounded
-                   : are_vertices
-                       ? vertices.twofoldBetween(i, j).distance
-                       : vertices.distanceBeside(edge_of_a, foot.at_end, edge_of_a ? i : j, edge_of_a ? j : i);
+  const double d = rounded > 0    ? rounded
+                   : are_vertices ? vertices.twofoldBetween(i, j).distance
+                                  : vertices.twofoldDistance(edge_of_a, 0, foot.at_end, edge, vertex, 1, part);
   return d >= kLeastShare * vertices.size() ? placed(k, d, part) : EdgeDistances(vertices).exactCombination(k, i, j);
 }
 
@@ -214,30 +206,12 @@ EdgeDistance EdgeDistances::combination(int k, const View& view, EdgePosition i,
     if (foot.is_plain) return placed(k, foot.distance, foot.part());
     at_end = foot.at_end;
   }
-  const auto answer = [&](double d, double part) {
-    // Written so that NaN fails.
-    if (d >= kLeastShare * size_) return placed(k, atLeastSmallest(d * inverse_), part);
-    const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
-    return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
-  };
-  const auto from = [&](EdgePosition v) {
-    return end_of_b ? twofoldWay(edge + v, vertex, scale_) : twofoldWay(vertex, edge + v, scale_);
-  };
-  const int place = placeOf(view, k);
-  if (place == 0) return answer(distanceBeside(end_of_b, at_end, edge, vertex, scale_), view.part[k]);
-  const Twofold2 w = from(view.part[k] > 0.5 ? 1 : 0);
-  if (place == -1 || place == 1) return answer(norm(w.high), view.part[k] > 0.5 ? 1 : 0);
-  const Vec2* path = (end_of_b ? a : b).path.data() + edge;
-  const double* r = (end_of_b ? pose_a : pose_b).data();
-  const Twofold2 w1 = from(0), w2 = from(1);
-  Double2 u;
-  const double area = twofoldArea(r, load2(path[0].data()) * scale_, load2(path[1].data()) * scale_, w1, u);
-  const double square = dot(u, u);
-  if (!(square > 0x1p-900)) return square == 0 ? answer(norm(w.high), 0) : exactCombination(k, i, j);
-  const double sign = end_of_b ? 1 : -1, along = sign * dot(w1.high, u);
-  if (along <= 0) return answer(norm(w1.high), 0);
-  if (sign * dot(w2.high, u) >= 0) return answer(norm(w2.high), 1);
-  return answer(std::abs(area) / std::sqrt(square), std::min(along / square, 1.0));
+  double part = view.part[k];
+  const double d = twofoldDistance(end_of_b, placeOf(view, k), at_end, edge, vertex, scale_, part);
+  // Written so that NaN fails.
+  if (d >= kLeastShare * size_) return placed(k, atLeastSmallest(d * inverse_), part);
+  const bool is_beyond = d * (1 - 2 * kRelativeError) - kTwofoldError * size_ > least * scale_;
+  return is_beyond ? EdgeDistance{std::numeric_limits<double>::infinity(), 0, 0} : exactCombination(k, i, j);
 }
 
 EdgeDistance EdgeDistances::exactCombination(int k, EdgePosition i, EdgePosition j) const {

@@ -17,10 +17,14 @@ struct Box {
   float x, y, ux, uy, along, across;
 };
 
-/// Up to eight boxes side by side, each around a chain of consecutive edges or around several rings, rounded outwards.
-/// They are floats relative to the block's own origin and scale, so that they are as precise as the block is small.
-struct alignas(64) Block {
+/// Eight boxes side by side.
+struct BoxLanes {
   float x[kLanes], y[kLanes], ux[kLanes], uy[kLanes], along[kLanes], across[kLanes];
+};
+
+/// Up to eight boxes, each around a chain of consecutive edges or around several rings, rounded outwards.
+/// They are floats relative to the block's own origin and scale, so that they are as precise as the block is small.
+struct alignas(64) Block : BoxLanes {
   std::uint32_t child[kLanes];  ///< the block that the box is divided into; in a leaf the edge's position in the path
   double origin_x, origin_y;    ///< in units of the hierarchy
   float scale, inverse;         ///< powers of two: a length of 1 in this block is `scale` units
@@ -47,17 +51,22 @@ struct InnerDiscs : Derived::Thing {
   double largest = 0;          ///< its radius; 0 if there is none
 };
 
-/// The few edges of a polygon, of any number of rings, in units from S. Edge i begins at vertex i; lanes beyond repeat
-/// the last vertex and the last edge. A point p is beyond an edge's line by nx p.x + ny p.y - d: of a convex polygon
-/// outside, of another one to its right. And it is |nx p.y - ny p.x - middle| away from the edge's middle, along the
-/// edge, which is `half` from its ends.
-struct SmallPolygon {
+/// Vertices and edges' lines side by side. Edge i begins at vertex i. A point p is beyond its line by nx p.x + ny p.y -
+/// d: of a convex polygon outside, of another one to its right.
+struct LineLanes {
+  float *x, *y, *nx, *ny, *d;
+};
+
+/// The few edges of a polygon, of any number of rings, in units from S; lanes beyond repeat the last vertex and the
+/// last edge. A point p is |nx p.y - ny p.x - middle| away from an edge's middle, along the edge, which is `half` from
+/// its ends.
+struct SmallPolygon : LineLanes {
   static constexpr int kMost = 2 * kLanes;
-  float *x, *y, *nx, *ny, *d, *middle, *half;  ///< for each lane
-  float low_x, low_y, high_x, high_y;          ///< of the vertices
-  int lanes;                                   ///< kLanes or kMost
-  int count;                                   ///< of edges
-  unsigned edges;                              ///< a bit for each
+  float *middle, *half;                ///< for each lane
+  float low_x, low_y, high_x, high_y;  ///< of the vertices
+  int lanes;                           ///< kLanes or kMost
+  int count;                           ///< of edges
+  unsigned edges;                      ///< a bit for each
   unsigned firsts, lasts;        ///< the first and the last edge of each ring; lanes beyond the count are one more
   std::uint8_t next[kMost];      ///< the vertex at which an edge ends
   std::uint8_t position[kMost];  ///< an edge's, in the path

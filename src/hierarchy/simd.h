@@ -6,49 +6,18 @@
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/simd_function.h"
+#include "hierarchy/unit_map.h"
 #include "numbers/double2.h"
 #include "numbers/double_double.h"
-#include "numbers/rigidity.h"
 #include "polygon/edge_walk.h"
 
 namespace tricover::detail {
-
-/// What a gap may be too large by, computed in floats: relative to the sum of what it is computed from, the query's
-/// coordinates and extents in the block's scale, |x| + |y| + along + across + 4. There a block's boxes are within 1 of
-/// the origin in either coordinate, and no larger than 1.
-///
-/// A float is rounded by 2^-24 of itself. On its way into a gap a difference of coordinates is so 6 times at most
-/// (converted, subtracted, times an axis that is converted, too, added, and the gap itself), and an extent 9 times (4
-/// in the cosine, then the product, two sums, and the gap; 1 for an axis that isn't quite of unit length).
-///   Differences: 6 (|x| + |y| + 2). Extents: 9 (along + across + 1). Together at most 9 of the sum above.
-/// The rest, three times as much, is for what the kinds of gaps do to it: 1.4143 along a diagonal, 4 roundings of the
-/// centres' distance; and for a block's extents, which are rounded outwards beyond 1.
-constexpr double kFloatRoundoff = 0x1p-24, kGapRounding = 0x1p-19;
-static_assert(kGapRounding >= 3 * 9 * kFloatRoundoff && 6 * 2 + 9 * 1 <= 9 * 4);
-
-/// p -> scale r p + t, from one hierarchy's units to the other's.
-struct UnitMap {
-  double r00, r01, r10, r11, tx, ty, scale;
-  double error;  ///< a mapped point is no farther than this from the true one
-};
-
-/// The way back. Entries of R are wrong by 9U, those of its inverse by 13U. kStretch is what it may stretch an error
-/// by: both poses' defects, and this product's rounding.
-inline UnitMap inverse(const UnitMap& map) {
-  constexpr double kStretch = 1 + 0x1p-10;
-  static_assert(kStretch > (1 + 2 * kLargestDefect) * (1 + 2 * kLargestDefect));
-  const double d = 1 / (map.r00 * map.r11 - map.r01 * map.r10), scale = 1 / map.scale;
-  const double r00 = map.r11 * d, r01 = -map.r01 * d, r10 = -map.r10 * d, r11 = map.r00 * d;
-  const double tx = -(r00 * map.tx + r01 * map.ty) * scale, ty = -(r10 * map.tx + r11 * map.ty) * scale;
-  return {r00, r01, r10, r11, tx, ty, scale, map.error * scale * kStretch};
-}
 
 /// Two hierarchies, each with its polygon, as a descent sees them. Lengths are in a's units.
 struct Descent {
   const PolygonData &polygon_a, &polygon_b;
   const Hierarchy &a, &b;
-  UnitMap to_a;
-  double rounding;          ///< of a gap in a block's scale, relative to the coordinates it is computed from
+  const UnitMap& to_a;
   double limit;             ///< boxes beyond aren't entered
   bool degenerate = false;  ///< whether a degenerate polygon is taken for its one edge alone
 };
@@ -70,11 +39,6 @@ struct DescentResult {
 
 /// The first pair of edges that makes a hit, deepest box first.
 extern Simd<DescentResult(const Descent& descent, const HitTest& test)> findHit;
-
-/// A point in a hierarchy's units, known to within `error` in any direction.
-struct Place {
-  double x, y, error;
-};
 
 /// Calls visit(context, edge's position) for the edges that may be within `reach` of a point, as far as they are
 /// `marked`: a bit for each lane of each block, which in a block with children says that a child has a marked lane.
@@ -148,7 +112,7 @@ extern Simd<void(const Descent& descent, const PairVisitor& visitor)> showPairs;
 
 /// How deep, in a's units, some inner disc of a and one of b overlap at least; not positive if none is proven to. `map`
 /// as for fewEdgesMeet().
-extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding)> innerDepth;
+extern Simd<double(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map)> innerDepth;
 
 enum class Meeting { Apart, Meet, Unknown };
 
@@ -168,8 +132,7 @@ struct EdgeCheck {
 
 /// Two small polygons by all of their edges, where floats are certain or few pairs of edges need the check. `map` goes
 /// from b's units to a's and puts b's S within 4 of a's.
-extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
-                    const EdgeCheck& check)>
+extern Simd<Meeting(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, const EdgeCheck& check)>
     fewEdgesMeet;
 
 /// Whether fewEdgesMeet() is for them.
@@ -188,12 +151,10 @@ extern Simd<ConvexGap(const SmallPolygon& a, const SmallPolygon& b, const UnitMa
 struct ConvexCrossing {
   EdgePosition edge_a = kNoEdge, edge_b = kNoEdge;
 };
-extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding)>
-    convexCrossing;
+extern Simd<ConvexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map)> convexCrossing;
 
-/// R_b q + t - R_a p of two poses' columns, where t is `shift`: right to 100 U^2 of what is summed.
-extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold<Double2>& shift,
-                 Twofold<Double2>& way)>
+/// R_b q + t_b - t_a - R_a p of two poses' columns, times a power of two: right to 100 U^2 of what is summed.
+extern Simd<void(const double* pose_a, Double2 p, const double* pose_b, Double2 q, double scale, Twofold<Double2>& way)>
     twofoldWay;
 /// R (q - p) x way, and the first of these, rounded.
 extern Simd<double(const double* pose, Double2 p, Double2 q, const Twofold<Double2>& way, Double2& along)> twofoldArea;

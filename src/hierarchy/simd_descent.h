@@ -178,17 +178,18 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   const std::uint32_t index = item.child;
   const Block& block = into_a ? d.a.blocks[index] : d.b.blocks[index];
   const UnitMap map = into_a ? d.to_a : inverse(d.to_a);
-  const Query query = queryFor(other, into_a ? d.polygon_b : d.polygon_a, map, block, d.rounding);
+  float slack, cap;
+  const Box box = boxIn(block, other, into_a ? d.polygon_b : d.polygon_a, map, slack, cap);
   const double in_a = into_a ? block.scale : block.scale * d.to_a.scale;
-  const Step step = stepOf(in_a, goal.limit / in_a, query.slack * Goal::kSlacks, query.cap);
-  const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), query);
+  const Step step = stepOf(in_a, goal.limit / in_a, slack * Goal::kSlacks, cap);
+  const Lanes found = gaps<Goal::kNarrows>(boxesOf<Lanes>(block), box);
   Lanes left_out = Lanes::all(1e30f);
   const unsigned near = entered(goal, block, step, found, left_out);
   goal.leaveOut(left_out, step);
   float gap[kLanes];
   found.store(gap);
 
-  if (goal.mayAccept() && other.spanned && goal.accepts(step, near & block.spanned, gap, block.across, query.across))
+  if (goal.mayAccept() && other.spanned && goal.accepts(step, near & block.spanned, gap, block.across, box.across))
     return true;
   if (block.leaf && other.leaf) {
     for (unsigned left = near; left != 0; left &= left - 1) {
@@ -208,72 +209,54 @@ bool enterOne(const Descent& d, bool into_a, const Item& item, const Item& other
   return false;
 }
 
-/// The boxes of two blocks of about the same size, in the frame of a's.
-struct Together {
-  Step step;
-  Query whole;             ///< all of a
-  float moved[6][kLanes];  ///< b's boxes
-};
-
-[[gnu::always_inline]] inline Query movedBox(const Together& t, unsigned j) {
-  return {t.moved[0][j], t.moved[1][j], t.moved[2][j], t.moved[3][j], t.moved[4][j], t.moved[5][j], 0, 0};
-}
-
+/// The boxes of two blocks of about the same size: b's in the frame of a's.
 template <class Lanes>
-[[gnu::always_inline]] inline Boxes<Lanes> movedBoxes(const Together& t) {
-  return {Lanes::load(t.moved[0]), Lanes::load(t.moved[1]), Lanes::load(t.moved[2]),
-          Lanes::load(t.moved[3]), Lanes::load(t.moved[4]), Lanes::load(t.moved[5])};
-}
-
-template <class Lanes>
-[[gnu::always_inline]] inline void bringTogether(const Descent& d, const Item& item_a, const Block& a, const Block& b,
-                                                 double limit, float slacks, Together& t) {
-  const UnitMap& map = d.to_a;
+[[gnu::always_inline]] inline Step bringTogether(const UnitMap& map, const Block& a, const Block& b, double limit,
+                                                 float slacks, BoxLanes& moved) {
   const double size = map.scale * b.scale * a.inverse;
-  const double x = (map.scale * (map.r00 * b.origin_x + map.r01 * b.origin_y) + map.tx - a.origin_x) * a.inverse;
-  const double y = (map.scale * (map.r10 * b.origin_x + map.r11 * b.origin_y) + map.ty - a.origin_y) * a.inverse;
-  const double slack = d.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
-  t.step = stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
-
-  const FloatMap to_a(map);
+  const double x = (map.mappedX(b.origin_x, b.origin_y) - a.origin_x) * a.inverse;
+  const double y = (map.mappedY(b.origin_x, b.origin_y) - a.origin_y) * a.inverse;
+  const double slack = map.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;
   const float scale = static_cast<float>(size);
   const Lanes bx = Lanes::load(b.x) * scale, by = Lanes::load(b.y) * scale;
   const Lanes bux = Lanes::load(b.ux), buy = Lanes::load(b.uy);
-  (to_a.turnedX(bx, by) + static_cast<float>(x)).store(t.moved[0]);
-  (to_a.turnedY(bx, by) + static_cast<float>(y)).store(t.moved[1]);
-  to_a.turnedX(bux, buy).store(t.moved[2]);
-  to_a.turnedY(bux, buy).store(t.moved[3]);
-  (Lanes::load(b.along) * scale).store(t.moved[4]);
-  (Lanes::load(b.across) * scale).store(t.moved[5]);
+  (turnedX(map, bx, by) + static_cast<float>(x)).store(moved.x);
+  (turnedY(map, bx, by) + static_cast<float>(y)).store(moved.y);
+  turnedX(map, bux, buy).store(moved.ux);
+  turnedY(map, bux, buy).store(moved.uy);
+  (Lanes::load(b.along) * scale).store(moved.along);
+  (Lanes::load(b.across) * scale).store(moved.across);
+  return stepOf(a.scale, limit * a.inverse, static_cast<float>(slack) * slacks, 1e30f);
+}
 
-  t.whole = {static_cast<float>((item_a.x - a.origin_x) * a.inverse),
-             static_cast<float>((item_a.y - a.origin_y) * a.inverse),
-             static_cast<float>(item_a.ux),
-             static_cast<float>(item_a.uy),
-             static_cast<float>(item_a.along * a.inverse),
-             static_cast<float>(item_a.across * a.inverse),
-             0,
-             0};
+/// A box of the block's own hierarchy.
+[[gnu::always_inline]] inline Box boxIn(const Block& block, const Item& item) {
+  return {static_cast<float>((item.x - block.origin_x) * block.inverse),
+          static_cast<float>((item.y - block.origin_y) * block.inverse),
+          static_cast<float>(item.ux),
+          static_cast<float>(item.uy),
+          static_cast<float>(item.along * block.inverse),
+          static_cast<float>(item.across * block.inverse)};
 }
 
 /// Fills the gaps of a's boxes (columns) against those of b's (rows), and lowers the limit by what they prove.
 template <class Lanes>
 [[gnu::always_inline]] inline void narrowFirst(const Block& a, const Block& b, const Boxes<Lanes>& boxes,
-                                               const Together& t, unsigned rows, float (&gap)[kLanes][kLanes],
-                                               ShowPairs& goal) {
+                                               const BoxLanes& moved, const Step& step, unsigned rows,
+                                               float (&gap)[kLanes][kLanes], ShowPairs& goal) {
   float spans[kLanes];
   for (unsigned i = 0; i < kLanes; ++i) spans[i] = (a.spanned >> i & 1) != 0 ? 2 * a.across[i] : 1e30f;
   const Lanes spans_a = Lanes::load(spans);
   Lanes upper = Lanes::all(1e30f);
   for (; rows != 0; rows &= rows - 1) {
     const unsigned j = static_cast<unsigned>(__builtin_ctz(rows));
-    const Query query = movedBox(t, j);
-    const Lanes found = gaps<true>(boxes, query);
+    const Box box = boxAt(moved, j);
+    const Lanes found = gaps<true>(boxes, box);
     found.store(gap[j]);
     if ((b.spanned >> j & 1) != 0)
-      upper = smaller(upper, larger(found, Lanes::all(0)) * 1.4143f + spans_a + 2 * query.across);
+      upper = smaller(upper, larger(found, Lanes::all(0)) * 1.4143f + spans_a + 2 * box.across);
   }
-  goal.narrow(upper, t.step);
+  goal.narrow(upper, step);
 }
 
 /// A pair of lanes; none at first.
@@ -305,19 +288,18 @@ template <class Lanes, class Goal>
 [[gnu::always_inline]] inline bool enterBoth(const Descent& d, const Item& item_a, const Item& item_b, Visits& visits,
                                              Goal& goal) {
   const Block &a = d.a.blocks[item_a.child], &b = d.b.blocks[item_b.child];
-  Together t;
-  bringTogether<Lanes>(d, item_a, a, b, goal.limit, Goal::kSlacks, t);
+  BoxLanes moved;
+  Step step = bringTogether<Lanes>(d.to_a, a, b, goal.limit, Goal::kSlacks, moved);
   const bool leaves = a.leaf && b.leaf;
   // First the whole of a against b's boxes.
   Lanes left_out = Lanes::all(1e30f);
-  const Lanes from_whole = gaps<Goal::kNarrows>(movedBoxes<Lanes>(t), t.whole);
-  const unsigned near_b = entered(goal, b, t.step, from_whole, left_out);
+  const Lanes from_whole = gaps<Goal::kNarrows>(boxesOf<Lanes>(moved), boxIn(a, item_a));
+  const unsigned near_b = entered(goal, b, step, from_whole, left_out);
   const Boxes<Lanes> boxes = boxesOf<Lanes>(a);
-  Step step = t.step;
   float gap[kLanes][kLanes];
   LanePair shown;
   if constexpr (Goal::kNarrows) {
-    narrowFirst(a, b, boxes, t, near_b, gap, goal);
+    narrowFirst(a, b, boxes, moved, step, near_b, gap, goal);
     step = stepOf(a.scale, goal.limit * a.inverse, step.slack, step.cap);
     // Of edges, the nearest: it may spare the others.
     if (leaves) shown = nearestPair<Lanes>(a, step, near_b, gap, goal);
@@ -327,11 +309,11 @@ template <class Lanes, class Goal>
   const int first = visits.top;
   for (unsigned left = near_b; left != 0; left &= left - 1) {
     const unsigned j = static_cast<unsigned>(__builtin_ctz(left));
-    const Query query = movedBox(t, j);
-    if constexpr (!Goal::kNarrows) gaps<false>(boxes, query).store(gap[j]);
+    const Box box = boxAt(moved, j);
+    if constexpr (!Goal::kNarrows) gaps<false>(boxes, box).store(gap[j]);
     unsigned near = entered(goal, a, step, Lanes::load(gap[j]), left_out);
     if (goal.mayAccept() && (b.spanned >> j & 1) != 0 &&
-        goal.accepts(step, near & a.spanned, gap[j], a.across, query.across))
+        goal.accepts(step, near & a.spanned, gap[j], a.across, box.across))
       return true;
     if (leaves) {
       if (j == shown.j) near &= ~(1u << shown.i);

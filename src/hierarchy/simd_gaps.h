@@ -28,34 +28,19 @@ template <class Lanes>
 [[gnu::always_inline]] inline float upwards(double x) { return static_cast<float>(x) * (1 + 0x1p-20f); }
 [[gnu::always_inline]] inline float downwards(double x) { return static_cast<float>(x) * (1 - 0x1p-20f); }
 
-/// A UnitMap in floats, for lanes of coordinates or single ones.
-struct FloatMap {
-  [[gnu::always_inline]] explicit FloatMap(const UnitMap& map)
-      : r00(static_cast<float>(map.r00)),
-        r01(static_cast<float>(map.r01)),
-        r10(static_cast<float>(map.r10)),
-        r11(static_cast<float>(map.r11)),
-        tx(static_cast<float>(map.tx)),
-        ty(static_cast<float>(map.ty)),
-        scale(static_cast<float>(map.scale)) {}
-
-  /// r p, by its coordinates.
-  template <class T>
-  [[gnu::always_inline]] T turnedX(T x, T y) const {
-    return x * r00 + y * r01;
-  }
-  template <class T>
-  [[gnu::always_inline]] T turnedY(T x, T y) const {
-    return x * r10 + y * r11;
-  }
-  /// Where a half plane's offset goes, whose normal was turned to n.
-  template <class T>
-  [[gnu::always_inline]] T offset(T d, T nx, T ny) const {
-    return d * scale + nx * tx + ny * ty;
-  }
-
-  float r00, r01, r10, r11, tx, ty, scale;
-};
+/// UnitMap's r p in floats, by its coordinates; and where a half plane's offset goes, whose normal was turned to n.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes turnedX(const UnitMap& map, Lanes x, Lanes y) {
+  return x * static_cast<float>(map.r00) + y * static_cast<float>(map.r01);
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes turnedY(const UnitMap& map, Lanes x, Lanes y) {
+  return x * static_cast<float>(map.r10) + y * static_cast<float>(map.r11);
+}
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes mappedOffset(const UnitMap& map, Lanes d, Lanes nx, Lanes ny) {
+  return d * static_cast<float>(map.scale) + nx * static_cast<float>(map.tx) + ny * static_cast<float>(map.ty);
+}
 
 /// A bit for each box.
 [[gnu::always_inline]] inline unsigned lanesOf(const Block& block) { return (1u << block.count) - 1; }
@@ -93,13 +78,6 @@ constexpr std::uint32_t kRoot = 0xffffffff;
           (block.spanned >> lane & 1) != 0};
 }
 
-/// A box in a block's scale, from its origin.
-struct Query {
-  float x, y, ux, uy, along, across;
-  float slack;  ///< what a gap may be too large by
-  float cap;    ///< no gap is proven beyond this
-};
-
 constexpr double kLong = 512, kKept = 64;
 
 /// A long edge beside a small block: only its part around the block counts, which floats can tell from the block; and
@@ -112,10 +90,10 @@ constexpr double kLong = 512, kKept = 64;
     const Vec2 v = polygon.inUnits(polygon.path[item.child]), w = polygon.inUnits(polygon.path[item.child + 1]);
     const Vec2 half = 0.5 * (w - v), middle = v + half;
     const double size = map.scale * block.inverse, length = half.norm();
-    x = (map.scale * (map.r00 * middle.x() + map.r01 * middle.y()) + map.tx - block.origin_x) * block.inverse;
-    y = (map.scale * (map.r10 * middle.x() + map.r11 * middle.y()) + map.ty - block.origin_y) * block.inverse;
-    ux = (map.r00 * half.x() + map.r01 * half.y()) / length;
-    uy = (map.r10 * half.x() + map.r11 * half.y()) / length;
+    x = (map.mappedX(middle.x(), middle.y()) - block.origin_x) * block.inverse;
+    y = (map.mappedY(middle.x(), middle.y()) - block.origin_y) * block.inverse;
+    ux = map.turnedX(half.x(), half.y()) / length;
+    uy = map.turnedY(half.x(), half.y()) / length;
     along = length * size;
     across = 0;
   }
@@ -130,38 +108,44 @@ constexpr double kLong = 512, kKept = 64;
   return kKept - 4;
 }
 
-/// `rounding` is Descent's.
-[[gnu::always_inline]] inline Query queryFor(const Item& item, const PolygonData& polygon, const UnitMap& map,
-                                             const Block& block, double rounding) {
-  double x = (map.scale * (map.r00 * item.x + map.r01 * item.y) + map.tx - block.origin_x) * block.inverse;
-  double y = (map.scale * (map.r10 * item.x + map.r11 * item.y) + map.ty - block.origin_y) * block.inverse;
-  double ux = map.r00 * item.ux + map.r01 * item.uy, uy = map.r10 * item.ux + map.r11 * item.uy;
+/// A box in a block's scale, from its origin. `slack` is what a gap may be too large by, and no gap is proven beyond
+/// `cap`.
+[[gnu::always_inline]] inline Box boxIn(const Block& block, const Item& item, const PolygonData& polygon,
+                                        const UnitMap& map, float& slack, float& cap) {
+  double x = (map.mappedX(item.x, item.y) - block.origin_x) * block.inverse;
+  double y = (map.mappedY(item.x, item.y) - block.origin_y) * block.inverse;
+  double ux = map.turnedX(item.ux, item.uy), uy = map.turnedY(item.ux, item.uy);
   const double size = map.scale * block.inverse;
-  double along = item.along * size;
-  double across = item.across * size;
-  double cap = 1e30;
-  if (along > kLong) cap = clip(item, polygon, map, block, x, y, ux, uy, along, across);
-  const double slack = rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
-  return {static_cast<float>(x),     static_cast<float>(y),      static_cast<float>(ux),    static_cast<float>(uy),
-          static_cast<float>(along), static_cast<float>(across), static_cast<float>(slack), static_cast<float>(cap)};
+  double along = item.along * size, across = item.across * size, most = 1e30;
+  if (along > kLong) most = clip(item, polygon, map, block, x, y, ux, uy, along, across);
+  cap = static_cast<float>(most);
+  const double error = map.rounding * (magnitude(x) + magnitude(y) + along + across + 4) + map.error * block.inverse;
+  slack = static_cast<float>(error);
+  return {static_cast<float>(x),  static_cast<float>(y),     static_cast<float>(ux),
+          static_cast<float>(uy), static_cast<float>(along), static_cast<float>(across)};
 }
 
-/// Eight boxes of one block.
+/// The same in registers.
 template <class Lanes>
 struct Boxes {
   Lanes x, y, ux, uy, along, across;
 };
 
 template <class Lanes>
-[[gnu::always_inline]] inline Boxes<Lanes> boxesOf(const Block& block) {
-  return {Lanes::load(block.x),  Lanes::load(block.y),     Lanes::load(block.ux),
-          Lanes::load(block.uy), Lanes::load(block.along), Lanes::load(block.across)};
+[[gnu::always_inline]] inline Boxes<Lanes> boxesOf(const BoxLanes& boxes) {
+  return {Lanes::load(boxes.x),  Lanes::load(boxes.y),     Lanes::load(boxes.ux),
+          Lanes::load(boxes.uy), Lanes::load(boxes.along), Lanes::load(boxes.across)};
 }
 
-/// The largest gap between the projections of the query and of each box, over a few axes (separating axes): a lower
+/// One of them.
+[[gnu::always_inline]] inline Box boxAt(const BoxLanes& boxes, unsigned i) {
+  return {boxes.x[i], boxes.y[i], boxes.ux[i], boxes.uy[i], boxes.along[i], boxes.across[i]};
+}
+
+/// The largest gap between the projections of a box q and of each box, over a few axes (separating axes): a lower
 /// bound of their distance but for the slack; positive only if they are apart.
 ///
-/// Sides. Four axes: along and across the query, along and across the box. With c and s the cosine and sine of the
+/// Sides. Four axes: along and across q, along and across the box. With c and s the cosine and sine of the
 /// angle between the two, one's extents reach along c + across s along the other, and along s + across c across it.
 ///
 /// With kAllAxes the following, too; they make a tight bound of the distance out of what tells overlap.
@@ -174,7 +158,7 @@ template <class Lanes>
 /// distance; along the line of the centres it does. Its products are rounded four times and divided by what they have
 /// in common, the distance of the centres. Where that is 0 the gap is NaN, which larger() drops.
 template <bool kAllAxes, class Lanes>
-[[gnu::always_inline]] inline Lanes gaps(const Boxes<Lanes>& box, const Query& q) {
+[[gnu::always_inline]] inline Lanes gaps(const Boxes<Lanes>& box, const Box& q) {
   const Lanes ux = box.ux, uy = box.uy, along = box.along, across = box.across;
   const Lanes dx = box.x - q.x, dy = box.y - q.y;
   const Lanes c = absolute(ux * q.ux + uy * q.uy), s = absolute(ux * q.uy - uy * q.ux);

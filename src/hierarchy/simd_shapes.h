@@ -8,9 +8,9 @@ namespace tricover::detail::simd {
 
 /// What distances from lines may be off by. Points, normals and offsets below 8 are rounded to floats and a few
 /// operations follow, in all less than 64 2^-24. 8 times a gap's rounding is more.
-inline float lineSlack(const UnitMap& map, double rounding) {
+inline float lineSlack(const UnitMap& map) {
   static_assert(8 * kGapRounding >= 64 * kFloatRoundoff);
-  return static_cast<float>(8 * rounding + map.error);
+  return static_cast<float>(8 * map.rounding + map.error);
 }
 
 /// By how much the vertex of q that is farthest back is beyond each edge of eight. Boxes and triangles are the
@@ -25,29 +25,33 @@ template <class Lanes>
   return least - d;
 }
 
-/// b's vertices in a's units.
+/// b's points in a's units.
+template <class Lanes>
+[[gnu::always_inline]] inline void mapPoints(const float* of_x, const float* of_y, int lanes, const UnitMap& map,
+                                             float* x, float* y) {
+  const auto scale = static_cast<float>(map.scale);
+  for (int i = 0;;) {
+    const Lanes bx = Lanes::load(of_x + i) * scale, by = Lanes::load(of_y + i) * scale;
+    (turnedX(map, bx, by) + static_cast<float>(map.tx)).store(x + i);
+    (turnedY(map, bx, by) + static_cast<float>(map.ty)).store(y + i);
+    if ((i += kLanes) >= lanes) break;
+  }
+}
 template <class Lanes>
 [[gnu::always_inline]] inline void mapVertices(const SmallPolygon& b, const UnitMap& map, float* x, float* y) {
-  const FloatMap to_a(map);
-  for (int i = 0;;) {
-    const Lanes bx = Lanes::load(b.x + i) * to_a.scale, by = Lanes::load(b.y + i) * to_a.scale;
-    (to_a.turnedX(bx, by) + to_a.tx).store(x + i);
-    (to_a.turnedY(bx, by) + to_a.ty).store(y + i);
-    if ((i += kLanes) >= b.lanes) break;
-  }
+  mapPoints<Lanes>(b.x, b.y, b.lanes, map, x, y);
 }
 
 /// b's half planes in a's units.
 template <class Lanes>
 [[gnu::always_inline]] inline void mapHalfPlanes(const SmallPolygon& b, const UnitMap& map, float* nx, float* ny,
                                                  float* d) {
-  const FloatMap to_a(map);
   for (int i = 0;;) {
     const Lanes bnx = Lanes::load(b.nx + i), bny = Lanes::load(b.ny + i);
-    const Lanes anx = to_a.turnedX(bnx, bny), any = to_a.turnedY(bnx, bny);
+    const Lanes anx = turnedX(map, bnx, bny), any = turnedY(map, bnx, bny);
     anx.store(nx + i);
     any.store(ny + i);
-    to_a.offset(Lanes::load(b.d + i), anx, any).store(d + i);
+    mappedOffset(map, Lanes::load(b.d + i), anx, any).store(d + i);
     if ((i += kLanes) >= b.lanes) break;
   }
 }
@@ -55,16 +59,14 @@ template <class Lanes>
 /// 1 + 2^-10 is far more than the quotient's. With s the sum of two radii and d the
 /// distance of the centres, s - d >= (s^2 - d^2) / (2 s) where that is positive.
 template <class Lanes>
-double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map, double rounding) {
-  const FloatMap to_a(map);
-  const float slack = lineSlack(map, rounding);
-  const float reach = a.reach + b.reach * to_a.scale;
-  if (to_a.tx * to_a.tx + to_a.ty * to_a.ty > reach * reach) return 0;
-  const Lanes bx = Lanes::load(b.x) * to_a.scale, by = Lanes::load(b.y) * to_a.scale;
+double innerDepth(const InnerDiscs& a, const InnerDiscs& b, const UnitMap& map) {
+  const float slack = lineSlack(map);
+  const float scale = static_cast<float>(map.scale), tx = static_cast<float>(map.tx), ty = static_cast<float>(map.ty),
+              reach = a.reach + b.reach * scale;
+  if (tx * tx + ty * ty > reach * reach) return 0;
   float x[kLanes], y[kLanes], radius[kLanes];
-  (to_a.turnedX(bx, by) + to_a.tx).store(x);
-  (to_a.turnedY(bx, by) + to_a.ty).store(y);
-  (Lanes::load(b.radius) * to_a.scale - slack).store(radius);
+  mapPoints<Lanes>(b.x, b.y, kLanes, map, x, y);
+  (Lanes::load(b.radius) * scale - slack).store(radius);
   const Lanes ax = Lanes::load(a.x), ay = Lanes::load(a.y), a_radius = Lanes::load(a.radius);
   Lanes most = Lanes::all(0);
   for (int j = 0; j < b.count; ++j) {
@@ -117,17 +119,16 @@ template <class Lanes, class Score>
 [[gnu::always_inline]] inline ConvexGap bestEdge(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map,
                                                  const float* x, const float* y, Score score) {
   float bnx[SmallPolygon::kMost], bny[SmallPolygon::kMost];
-  const FloatMap to_a(map);
   const auto of_a = [&](int i) __attribute__((always_inline)) {
     const Lanes nx = Lanes::load(a.nx + i), ny = Lanes::load(a.ny + i);
     return score(nx, ny, beyond(nx, ny, Lanes::load(a.d + i), x, y, b.count));
   };
   const auto of_b = [&](int i) __attribute__((always_inline)) {
     const Lanes own_x = Lanes::load(b.nx + i), own_y = Lanes::load(b.ny + i);
-    const Lanes nx = to_a.turnedX(own_x, own_y), ny = to_a.turnedY(own_x, own_y);
+    const Lanes nx = turnedX(map, own_x, own_y), ny = turnedY(map, own_x, own_y);
     nx.store(bnx + i);
     ny.store(bny + i);
-    const Lanes d = to_a.offset(Lanes::load(b.d + i), nx, ny);
+    const Lanes d = mappedOffset(map, Lanes::load(b.d + i), nx, ny);
     return score(Lanes::all(0) - nx, Lanes::all(0) - ny, beyond(nx, ny, d, a.x, a.y, a.count));
   };
   const Values<Lanes> scores_a = valuesOf<Lanes>(a.lanes, of_a), scores_b = valuesOf<Lanes>(b.lanes, of_b);
@@ -221,10 +222,10 @@ template <class Lanes>
 /// An edge of b, whose vertices are at x, y, leads out of a from a vertex in it, or across it; or one of them lies in
 /// the other, by more than the slack.
 template <class Lanes>
-ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding) {
+ConvexCrossing convexCrossing(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map) {
   float x[SmallPolygon::kMost + 1], y[SmallPolygon::kMost + 1];
   mapVertices<Lanes>(b, map, x, y);
-  const Lanes limit = Lanes::all(-lineSlack(map, rounding));
+  const Lanes limit = Lanes::all(-lineSlack(map));
   unsigned in = 0, shallow = 0;
   for (int i = 0; i < b.lanes; i += kLanes) {
     const Lanes out = outside<Lanes>(a.nx, a.ny, a.d, a.count, Lanes::load(x + i), Lanes::load(y + i));

@@ -29,34 +29,28 @@ template <class Lanes, class Value>
   return signs;
 }
 
-/// A small polygon's lines and vertices in one frame.
-struct SmallView {
-  const SmallPolygon& polygon;
-  const float *x, *y, *nx, *ny, *d;
-};
-
 /// On which side of each edge's line a point is.
 template <class Lanes>
-[[gnu::always_inline]] inline Signs sidesOf(const SmallView& view, float x, float y, float slack) {
+[[gnu::always_inline]] inline Signs sidesOf(int lanes, const LineLanes& lines, float x, float y, float slack) {
   return signsOf<Lanes>(
-      view.polygon.lanes, slack, [&](int i) __attribute__((always_inline)) {
-        return Lanes::load(view.nx + i) * x + Lanes::load(view.ny + i) * y - Lanes::load(view.d + i);
+      lanes, slack, [&](int i) __attribute__((always_inline)) {
+        return Lanes::load(lines.nx + i) * x + Lanes::load(lines.ny + i) * y - Lanes::load(lines.d + i);
       });
 }
 
-/// Whether the region holds a point, by the edges that a ray along x meets, to the right or, in mirrored frames, to the
-/// left.
+/// Whether a region holds a point of the frame of its lines, by the edges that a ray along x meets, to the right or, in
+/// mirrored frames, to the left.
 template <class Lanes>
-[[gnu::always_inline]] inline Meeting holds(const SmallView& view, float x, float y, float slack) {
-  const SmallPolygon& polygon = view.polygon;
+[[gnu::always_inline]] inline Meeting holds(const SmallPolygon& polygon, const LineLanes& lines, float x, float y,
+                                            float slack) {
   const unsigned edges = polygon.edges;
   const Signs start = signsOf<Lanes>(
-      polygon.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(view.y + i) - y; });
+      polygon.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(lines.y + i) - y; });
   if ((either(start) & edges) != edges) return Meeting::Unknown;
   const Signs end = polygon.ends(start);
   const unsigned up = negative(start) & positive(end) & edges, down = positive(start) & negative(end) & edges;
   if ((up | down) == 0) return Meeting::Apart;
-  const Signs sides = sidesOf<Lanes>(view, x, y, slack);
+  const Signs sides = sidesOf<Lanes>(polygon.lanes, lines, x, y, slack);
   if (((up | down) & ~either(sides)) != 0) return Meeting::Unknown;
   const int ups = __builtin_popcount(up & negative(sides)), downs = __builtin_popcount(down & positive(sides));
   const bool inside = polygon.fill == FillRule::EvenOdd ? ((ups + downs) & 1) != 0 : ups != downs;
@@ -65,32 +59,34 @@ template <class Lanes>
 
 /// b's edges that may reach a's bounding box.
 template <class Lanes>
-[[gnu::always_inline]] inline unsigned edgesNear(const SmallPolygon& a, const SmallView& b, float slack) {
+[[gnu::always_inline]] inline unsigned edgesNear(const SmallPolygon& a, const SmallPolygon& b, const LineLanes& lines,
+                                                 float slack) {
   // Those with both ends beyond one side of it.
   unsigned beyond = 0;
   const auto addBeyond = [&](const float* at, float low, float high) __attribute__((always_inline)) {
     const Signs left = signsOf<Lanes>(
-        b.polygon.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(at + i) - low; });
+        b.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(at + i) - low; });
     const Signs right = signsOf<Lanes>(
-        b.polygon.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(at + i) - high; });
+        b.lanes, slack, [&](int i) __attribute__((always_inline)) { return Lanes::load(at + i) - high; });
     const unsigned sides = negative(left) | (right << 16);
-    beyond |= sides & b.polygon.ends(sides);
+    beyond |= sides & b.ends(sides);
   };
-  addBeyond(b.x, a.low_x, a.high_x);
-  addBeyond(b.y, a.low_y, a.high_y);
-  return b.polygon.edges & ~either(beyond);
+  addBeyond(lines.x, a.low_x, a.high_x);
+  addBeyond(lines.y, a.low_y, a.high_y);
+  return b.edges & ~either(beyond);
 }
 
 /// Of polygons whose edges don't meet: whether the region holds a ring of the other, by the first of its vertices that
 /// floats tell of.
 template <class Lanes>
-[[gnu::always_inline]] inline Meeting holdsRing(const SmallView& view, const SmallView& other, float slack) {
+[[gnu::always_inline]] inline Meeting holdsRing(const SmallPolygon& polygon, const LineLanes& lines,
+                                                const SmallPolygon& other, const LineLanes& others, float slack) {
   Meeting meeting = Meeting::Apart;
-  for (unsigned firsts = other.polygon.firsts & other.polygon.edges; firsts != 0; firsts &= firsts - 1) {
+  for (unsigned firsts = other.firsts & other.edges; firsts != 0; firsts &= firsts - 1) {
     int i = __builtin_ctz(firsts);
-    Meeting of_ring = holds<Lanes>(view, other.x[i], other.y[i], slack);
-    while (of_ring == Meeting::Unknown && other.polygon.next[i] > i)
-      i = other.polygon.next[i], of_ring = holds<Lanes>(view, other.x[i], other.y[i], slack);
+    Meeting of_ring = holds<Lanes>(polygon, lines, others.x[i], others.y[i], slack);
+    while (of_ring == Meeting::Unknown && other.next[i] > i)
+      i = other.next[i], of_ring = holds<Lanes>(polygon, lines, others.x[i], others.y[i], slack);
     if (of_ring == Meeting::Meet) return of_ring;
     if (of_ring == Meeting::Unknown) meeting = of_ring;
   }
@@ -121,18 +117,18 @@ struct DoubtfulEdges {
 /// Two segments cross if the ends of each are on different sides of the other's line, and share no point if those of
 /// one are on the same side. Signs are certain beyond the slack.
 template <class Lanes>
-Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, double rounding,
-                     const EdgeCheck& check) {
+Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap& map, const EdgeCheck& check) {
   float x[SmallPolygon::kMost], y[SmallPolygon::kMost], nx[SmallPolygon::kMost], ny[SmallPolygon::kMost],
       d[SmallPolygon::kMost];
   mapVertices<Lanes>(b, map, x, y);
   mapHalfPlanes<Lanes>(b, map, nx, ny, d);
-  const SmallView view_a{a, a.x, a.y, a.nx, a.ny, a.d}, view_b{b, x, y, nx, ny, d};
-  const float slack = lineSlack(map, rounding);
+  const LineLanes lines_b{x, y, nx, ny, d};
+  const float slack = lineSlack(map);
   DoubtfulEdges doubtful;
-  for (unsigned left = edgesNear<Lanes>(a, view_b, slack); left != 0; left &= left - 1) {
+  for (unsigned left = edgesNear<Lanes>(a, b, lines_b, slack); left != 0; left &= left - 1) {
     const int j = __builtin_ctz(left), k = b.next[j];
-    const Signs from = sidesOf<Lanes>(view_a, x[j], y[j], slack), to = sidesOf<Lanes>(view_a, x[k], y[k], slack);
+    const Signs from = sidesOf<Lanes>(a.lanes, a, x[j], y[j], slack),
+                to = sidesOf<Lanes>(a.lanes, a, x[k], y[k], slack);
     const Signs start = signsOf<Lanes>(
         a.lanes, slack, [&](int i) __attribute__((always_inline)) {
           return Lanes::load(a.x + i) * nx[j] + Lanes::load(a.y + i) * ny[j] - d[j];
@@ -145,9 +141,9 @@ Meeting fewEdgesMeet(const SmallPolygon& a, const SmallPolygon& b, const UnitMap
     doubtful.of_a[j] = open;
   }
   if (const Meeting meeting = meetingOf(a, b, doubtful, check); meeting != Meeting::Apart) return meeting;
-  const Meeting in_a = holdsRing<Lanes>(view_a, view_b, slack);
+  const Meeting in_a = holdsRing<Lanes>(a, a, b, lines_b, slack);
   if (in_a == Meeting::Meet) return in_a;
-  const Meeting in_b = holdsRing<Lanes>(view_b, view_a, slack);
+  const Meeting in_b = holdsRing<Lanes>(b, lines_b, a, a, slack);
   return in_b == Meeting::Apart ? in_a : in_b;
 }
 

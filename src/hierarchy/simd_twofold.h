@@ -21,8 +21,13 @@ template <class Lanes>
 // Each of the four products and four sums is at most M, the size, and rounds by U M, which is kept in the low parts, as
 // is what t was rounded by; their own eight sums round by U of at most 9U M.
 template <class Lanes>
-void twofoldWay(const double* pose_a, Double2 p, const double* pose_b, Double2 q, const Twofold2& shift,
-                Twofold2& way) {
+void twofoldWay(const double* pose_a, Double2 p, const double* pose_b, Double2 q, double scale, Twofold2& way) {
+  p = p * scale;
+  q = q * scale;
+  // Translations may be large where their difference is small.
+  const double first = scale < 1 ? scale : 1, then = scale < 1 ? 1 : scale;
+  const Twofold2 unscaled = twoSum(load2(pose_b + 6) * first, load2(pose_a + 6) * -first),
+                 shift = {unscaled.high * then, unscaled.low * then};
   const Twofold2 b0 = product<Lanes>(load2(pose_b), inBoth(q[0])), b1 = product<Lanes>(load2(pose_b + 3), inBoth(q[1]));
   const Twofold2 a0 = product<Lanes>(load2(pose_a), inBoth(p[0])), a1 = product<Lanes>(load2(pose_a + 3), inBoth(p[1]));
   const Twofold2 of_b = twoSum(b0.high, b1.high), of_a = twoSum(a0.high, a1.high);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "convex/convex_ring.h"
+#include "convex/posed_ring.h"
 #include "impact/impact_solvers.h"
 #include "numbers/cubic.h"
 #include "numbers/rounding.h"
@@ -54,14 +54,10 @@ struct MovingBesideEdge {
         edge(edge_),
         other(convexRing(of_a ? placement.b : placement.a)),
         path(of_a ? path_of_b : -path_of_b) {
-    const double* r = (of_a ? placement.pose_a : placement.pose_b).data();  // columns of three
-    const double* r_other = (of_a ? placement.pose_b : placement.pose_a).data();
-    const ConvexRing own = convexRing(of_a ? placement.a : placement.b);
-    const Double2 column_0 = load2(r), column_1 = load2(r + 3), in_frame = own.edge(edge);
-    along = column_0 * in_frame[0] + column_1 * in_frame[1];
-    const bool is_right = (cross(column_0, column_1) > 0) == (own.turn() > 0);
-    outwards = is_right ? Double2{along[1], -along[0]} : Double2{-along[1], along[0]};
-    in_other = Double2{dot(load2(r_other), outwards), dot(load2(r_other + 3), outwards)};
+    const PosedRing own(convexRing(of_a ? placement.a : placement.b), of_a ? placement.pose_a : placement.pose_b);
+    along = own.edge(edge);
+    outwards = own.normal(edge);
+    in_other = PosedRing(other, of_a ? placement.pose_b : placement.pose_a).inFrame(outwards);
     lowest = lowestVertex(other, in_other);
     to_lowest = wayTo(placement, lowest);
     error = 3 * (placement.error() + PosedPair::kWayError * lengthOne(path)) * lengthOne(along);
@@ -112,7 +108,7 @@ bool discsStayApart(const PosedPair& at, Double2 path, double margin) {
 bool guessEdge(const PosedPair& at, Double2 path, double margin, bool backwards, ConvexGap& guess) {
   const SmallPolygon *a = topOf(at.a).small_convex, *b = topOf(at.b).small_convex;
   if (a == nullptr || b == nullptr) return false;
-  UnitMap map = at.inUnits(0).map;  // a guess needs no bounds
+  UnitMap map = at.inUnits(0);  // a guess needs no bounds
   Double2 in_units = at.inUnitsOfA(path);
   const double reach = margin * at.a.inverse_unit;
   if (!(std::abs(map.tx) + std::abs(map.ty) + lengthOne(in_units) + reach < 0x1p60))

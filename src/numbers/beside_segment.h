@@ -13,10 +13,11 @@ struct BesideSegment {
   T square;  ///< of the distance
 };
 
-/// A point's distance D from a segment is known in four ways, each written once:
+/// A point's distance D from a segment is known in five ways, each written once:
 ///   exactly         withinExact(), distanceExact()
-///   to 2^-47        PosedVertices::foot(), and in two-fold numbers EdgeDistances where that isn't certain
-///   within a bound  here, for doubles and floats; squareBeside() has the segment's line and middle already
+///   to 2^-47        PosedVertices::foot(), and in two-fold numbers twofoldDistance() where that isn't certain
+///   within a bound  here, for doubles and floats
+///   in motion       EdgeInUnits::beside(), with how far the point's path may bend
 ///   rounded         nearestOnSegment()
 /// The bound, with d from the segment's start to the point, |d| <= |u| + D wherever rounding decides where the foot s u
 /// is; in units of the roundoff:

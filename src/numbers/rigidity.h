@@ -46,6 +46,23 @@ static_assert(kLargestDefect >= 2 * kRigidTolerance + Gram::kDefectRounding + 0.
 constexpr double kUnitRows = 1 + 10 * kRigidTolerance;
 static_assert(kUnitRows > (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + kLargestDefect));
 
+/// R^-1 v = adj(R) v / det R, for the R of a pose, by its columns: from the world, less the pose's translation, into
+/// its frame.
+inline Double2 turnedBack(Double2 column0, Double2 column1, Double2 v) {
+  const double det = column0[0] * column1[1] - column1[0] * column0[1];
+  return (Double2{column1[1], column0[0]} * v - Double2{column1[0], column0[1]} * swapped(v)) * (1 / det);
+}
+
+/// A rounded point. Either coordinate errs by
+///   det 2U, d 3U, products 1U, difference 1U, product with d 1U   6U |p|_1
+///   the point's own error e                                       at most sqrt2 e
+constexpr double kTurnedBackError = 8 * kUnitRoundoff;
+static_assert(kTurnedBackError >= kUnitRows * errorOf(6) && 1.5 > kUnitRows * kRoot2);
+inline ApproxPoint turnedBack(const Pose& pose, const ApproxPoint& p) {
+  const Double2 at = turnedBack(load2(pose.data()), load2(pose.data() + 3), Double2{p.x, p.y});
+  return {at[0], at[1], 1.5 * p.error + kTurnedBackError * (std::abs(p.x) + std::abs(p.y)) + kTiny};
+}
+
 /// At least Gram::defect() of a pose; above kRigidTolerance, or NaN, for one that isn't finite.
 inline double defectOf(const Pose& pose) {
   const double* m = pose.data();  // columns of three

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "tricover/pose.h"
@@ -9,14 +10,18 @@ namespace tricover::detail {
 
 inline double cross(const Vec2& u, const Vec2& w) { return u.x() * w.y() - u.y() * w.x(); }
 
+/// How far along u the point of a segment is that is nearest to p, from 0 at v to `length`; in lengths of u, whose
+/// square is given.
+inline double footAlong(const Vec2& p, const Vec2& v, const Vec2& u, double square, double length) {
+  return std::clamp((p - v).dot(u) / square, 0.0, length);
+}
+
 /// The point of the segment v w that is nearest to p, rounded; NaN where squares overflow.
 inline Vec2 nearestOnSegment(const Vec2& p, const Vec2& v, const Vec2& w) {
   const Vec2 u = w - v;
   const double square = u.squaredNorm();
   if (square == 0) return v;
-  const double s = (p - v).dot(u) / square;
-  if (s <= 0) return v;
-  if (s >= 1) return w;
+  const double s = footAlong(p, v, u, square, 1);
   // From the nearer end: an end is met without rounding.
   return s <= 0.5 ? Vec2(v + s * u) : Vec2(w - (1 - s) * u);
 }

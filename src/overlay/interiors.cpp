@@ -29,11 +29,11 @@ class InteriorSearch {
       : pair_(a, pose_a, b, pose_b), sides_(PosedRegions({pair_})) {}
 
   bool meet() {
-    const UnitPlacement at = pair_.inUnits();
+    const UnitMap at = pair_.inUnits();
     const auto look = [](const void* search, EdgePosition i, EdgePosition j) {
       return static_cast<InteriorSearch*>(const_cast<void*>(search))->meetBeside(i, j);
     };
-    const Descent descent{pair_.a, pair_.b, hierarchyOf(pair_.a), hierarchyOf(pair_.b), at.map, at.rounding, 0};
+    const Descent descent{pair_.a, pair_.b, hierarchyOf(pair_.a), hierarchyOf(pair_.b), at, 0};
     if (findHit(descent, {this, look, 0, -1, false}).hit) return true;
     return meetInside(EdgeSides::A, ringInside(pair_.back())) || meetInside(EdgeSides::B, ringInside(pair_));
   }

@@ -41,12 +41,11 @@ class RayCast {
   RayCast(const PolygonData& polygon, const Pose& pose, const Vec2& from, const Vec2& to, double limit)
       : polygon_(polygon),
         pose_(pose),
-        into_frame_(pose),
         vertex_error_(pose.linear() == Eigen::Matrix2d::Identity() ? 0 : kVertexError),
         ends_{from, to},
         from_(fromTranslation(from)),
         to_(fromTranslation(to)),
-        start_(into_frame_(from_)),
+        start_(turnedBack(pose, from_)),
         limit_(limit) {}
 
   std::optional<RayHit> first() {
@@ -105,7 +104,7 @@ class RayCast {
   /// Where P is in the polygon, s |T - F| <= |F| + 1: so s is below the share 2 (|F| + 4) / |T - F|, since the ends err
   /// by little. A far end is so no reason for a large error. Beside that a few dozen U of coordinates below |F| + 4.
   bool bringToUnits() {
-    const ApproxPoint to = into_frame_(to_);
+    const ApproxPoint to = turnedBack(pose_, to_);
     const Vec2 at = polygon_.inUnits({start_.x, start_.y}), way(to.x - start_.x, to.y - start_.y);
     const double square = way.squaredNorm(), away = at.lpNorm<1>() + 4;
     const double length = square > 0x1p-960 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(way.x(), way.y());
@@ -192,7 +191,6 @@ class RayCast {
 
   const PolygonData& polygon_;
   const Pose& pose_;
-  const TurnBack into_frame_;
   const double vertex_error_;    ///< of |p|_1
   const Vec2 ends_[2];           ///< in the world
   const ApproxPoint from_, to_;  ///< in the world, from the pose's translation
@@ -248,7 +246,8 @@ class RayCastAll : private RayCast {
   /// |F| + 4.
   bool bringBack(Ray& line) const {
     const double back = Vec2(line.x, line.y).lpNorm<1>() + 2, share = 2 * (back + 2) / length_;
-    line.error = start_error_ + kAnyDirection * share * (start_.error + into_frame_(to_).error) * polygon_.inverse_unit;
+    line.error =
+        start_error_ + kAnyDirection * share * (start_.error + turnedBack(pose_, to_).error) * polygon_.inverse_unit;
     line.x -= back * line.dx;
     line.y -= back * line.dy;
     line.length += back;

@@ -24,8 +24,8 @@ double clearanceLeft(const Certificate& cache, const PolygonData& first, const P
                      const PolygonData& second, const Pose& second_pose, double defect_now) {
   const Pose first_then = restore(cache.first_pose), second_then = restore(cache.second_pose);
   const double defect_then = defectOf(first_then, second_then);
-  const UnitMap now = PosedPair(first, first_pose, second, second_pose).inUnits(defect_now).map,
-                then = PosedPair(first, first_then, second, second_then).inUnits(defect_then).map;
+  const UnitMap now = PosedPair(first, first_pose, second, second_pose).inUnits(defect_now),
+                then = PosedPair(first, first_then, second, second_then).inUnits(defect_then);
   const Double2 way = Double2{now.tx - then.tx, now.ty - then.ty} * first.unit;
   const Displacement change(second, Double2{now.r00 - then.r00, now.r10 - then.r10},
                             Double2{now.r01 - then.r01, now.r11 - then.r11}, way);

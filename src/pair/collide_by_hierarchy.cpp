@@ -11,8 +11,7 @@ namespace tricover::detail {
 namespace {
 
 /// The outcome of a descent; if no edges meet, and one region `may_hold` the other, the answer is containment's.
-Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitPlacement& at, const EdgeTest& test,
-                  Wanted wanted) {
+Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitMap& at, const EdgeTest& test, Wanted wanted) {
   if (found.hit) return {true, 0, found.edge_a, found.edge_b};
   Outcome outcome;
   if (may_hold) outcome = findContainment(test.pair);
@@ -22,7 +21,7 @@ Outcome outcomeOf(const DescentResult& found, bool may_hold, const UnitPlacement
 }
 
 /// The same with a point b: a's tree alone is descended.
-Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
+Outcome collidePoint(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const Hierarchy& tree = hierarchyOf(test.a);
   const Place place = at.origin();
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
@@ -43,17 +42,16 @@ Outcome collidePoint(const UnitPlacement& at, const EdgeTest& test, double looka
 
 }  // namespace
 
-Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
+Outcome searchTrees(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   const double sum = test.options.margin + test.options.tolerance;
   const double accept = sum > 0 && wanted != Wanted::Edges ? at.within(sum) : -1;
   const double reach = at.reach(test.options.margin), limit = reach + lookahead * at.inverse_unit;
-  const Descent descent{test.a,      test.b, hierarchyOf(test.a), hierarchyOf(test.b), at.map,
-                        at.rounding, limit,  /*degenerate*/ true};
+  const Descent descent{test.a, test.b, hierarchyOf(test.a), hierarchyOf(test.b), at, limit, /*degenerate*/ true};
   const DescentResult found = findHit(descent, {&test, &EdgeTest::meet, reach, accept, wanted == Wanted::Clearance});
   return outcomeOf(found, true, at, test, wanted);
 }
 
-Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted) {
+Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted) {
   if (!test.a.isDegenerate()) return collidePoint(at, test, lookahead, wanted);
   const EdgePosition i = test.a.degenerate_edge, j = test.b.degenerate_edge;
   if (!test(i, j)) return Outcome();

@@ -19,45 +19,45 @@ enum class Wanted { Answer, Clearance, Edges };
 
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
-[[gnu::always_inline]] inline Meeting meetAtOnce(const UnitPlacement& at, double limit, Wanted wanted,
-                                                 const EdgeTest& test, double& clearance) {
+[[gnu::always_inline]] inline Meeting meetAtOnce(const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
+                                                 double& clearance) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
-  const double gap = rootGap(a.region, b.region, at.map, at.rounding);
+  const double gap = rootGap(a.region, b.region, at);
   if (gap > limit) {
     clearance = gap;
     return Meeting::Apart;
   }
-  const bool are_near = std::abs(at.map.tx) + std::abs(at.map.ty) < 4;  // false for NaN
+  const bool are_near = std::abs(at.tx) + std::abs(at.ty) < 4;  // false for NaN
   if (!are_near || wanted == Wanted::Edges) return Meeting::Unknown;
   if (wanted == Wanted::Answer && limit == 0 && areSmall(a, b)) {
-    const Meeting meeting = fewEdgesMeet(*a.small, *b.small, at.map, at.rounding, {&test, &EdgeTest::meet});
+    const Meeting meeting = fewEdgesMeet(*a.small, *b.small, at, {&test, &EdgeTest::meet});
     // Inner discs serve the next query that meets, before its boxes; of one that doesn't they tell nothing.
     if (meeting == Meeting::Meet) innerDiscsIfPaid(test.a), innerDiscsIfPaid(test.b);
     return meeting;
   }
   // Inner discs hardly meet unless the boxes are deep in each other.
-  const double deep = 0.7 * std::min<double>(a.region.across, b.region.across * at.map.scale);
+  const double deep = 0.7 * std::min<double>(a.region.across, b.region.across * at.scale);
   if (!(gap < -deep)) return Meeting::Unknown;
   const InnerDiscs *discs_a = innerDiscsIfPaid(test.a), *discs_b = innerDiscsIfPaid(test.b);
   if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;
-  const double depth = innerDepth(*discs_a, *discs_b, at.map, at.rounding);
+  const double depth = innerDepth(*discs_a, *discs_b, at);
   if (!(depth > 0)) return Meeting::Unknown;
   clearance = depth;
   return Meeting::Meet;
 }
 
 /// The rest of collideByHierarchy(): both trees descended, and containment.
-Outcome searchTrees(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
+Outcome searchTrees(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
 /// Of two degenerate polygons, by no tree, or a point b, by a's tree alone.
-Outcome collideDegenerate(const UnitPlacement& at, const EdgeTest& test, double lookahead, Wanted wanted);
+Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
 /// The default strategy. Whatever is farther apart than the margin by `lookahead` isn't looked at, so that a clearance
 /// of at least that much is found if there is one. The pair must be in order (inOrder()), and its bounding discs may
 /// meet. Inlined, because what discs have computed is in registers.
-[[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitPlacement& at, const EdgeTest& test,
-                                                         double lookahead, Wanted wanted) {
+[[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitMap& at, const EdgeTest& test, double lookahead,
+                                                         Wanted wanted) {
   if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
     return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;

@@ -21,10 +21,10 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit, Narrow narrow
   struct Call {
     Visit& visit;
     Narrow& narrow;
-    const UnitPlacement& at;
+    const UnitMap& at;
     double unit;
   };
-  const UnitPlacement at = pair.inUnits();
+  const UnitMap at = pair.inUnits();
   Call call{visit, narrow, at, pair.a.unit};
   PairVisitor visitor{&call,
                       [](void* context, double gap, EdgePosition edge_a, EdgePosition edge_b) {
@@ -38,8 +38,7 @@ void forEachPair(const PosedPair& pair, double limit, Visit visit, Narrow narrow
       const Call& c = *static_cast<Call*>(context);
       return c.at.reach(c.narrow(length * c.unit * (1 + 2 * c.at.scale_defect)));
     };
-  showPairs({pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), at.map, at.rounding, at.reach(limit), kNearest},
-            visitor);
+  showPairs({pair.a, pair.b, hierarchyOf(pair.a), hierarchyOf(pair.b), at, at.reach(limit), kNearest}, visitor);
 }
 
 }  // namespace tricover::detail

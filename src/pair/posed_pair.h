@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "hierarchy/placement.h"
+#include "hierarchy/unit_map.h"
 #include "numbers/predicates.h"
 #include "polygon/covering.h"
 
@@ -82,33 +82,19 @@ class PosedPair {
   ///   R^T    differs from R^-1 by R^T R - I, at most the defect less 16U, times R^-1; on the way and on b's points,
   ///   which
   ///          are a unit of a's from b's S at most
-  UnitPlacement inUnits(double defect) const {
-    return {a,
-            b,
-            turnedToA(columns_b_[0]),
-            turnedToA(columns_b_[1]),
-            turnedToA(way()) * a.inverse_unit,
-            1.1 * error(),
-            1.1 * defect,
-            defect,
-            defect};
+  UnitMap inUnits(double defect) const {
+    return unitMapOf(a, b, turnedToA(columns_b_[0]), turnedToA(columns_b_[1]), turnedToA(way()) * a.inverse_unit,
+                     1.1 * error(), 1.1 * defect, defect, defect);
   }
 
   /// The same with R_a^-1, by a division: boxes are no larger for poses that miss orthonormality. As a matrix, R_a^-1
   /// R_b errs by the spectral norms of 3U times itself (det and d), U times itself (the last product, entry by entry:
-  /// sqrt2) and 2U s_ij (at most 2U * 2). c rounds by 6U |c|_1 (TurnBack).
-  UnitPlacement inUnits() const {
-    const TurnBack to_a(pose_a);
+  /// sqrt2) and 2U s_ij (at most 2U * 2). c rounds by 6U |c|_1 (turnedBack()).
+  UnitMap inUnits() const {
+    const auto to_a = [&](Double2 v) { return turnedBack(columns_a_[0], columns_a_[1], v); };
     const Double2 r0 = to_a(columns_b_[0]), r1 = to_a(columns_b_[1]);
-    return {a,
-            b,
-            r0,
-            r1,
-            to_a(way()) * a.inverse_unit,
-            1.1 * error(),
-            0,
-            Gram(r0, r1).defect(),
-            Gram(columns_a_[0], columns_a_[1]).defect()};
+    return unitMapOf(a, b, r0, r1, to_a(way()) * a.inverse_unit, 1.1 * error(), 0, Gram(r0, r1).defect(),
+                     Gram(columns_a_[0], columns_a_[1]).defect());
   }
   static_assert(Gram::kMatrixError >= kUnitRows * errorOf(1) * (3 + kRoot2 + 2 * 2));
 
@@ -143,7 +129,7 @@ double crossingDepth(const PosedPair& pair, EdgePosition i, EdgePosition j);
 
 /// A point of b as a's frame sees it: for the winding of a's rings around it.
 inline IncludedPoint seenFromA(const PosedPair& pair, const Vec2& of_b) {
-  return {&pair.pose_a, TurnBack(pair.pose_a)(pair.fromB(of_b)), {&pair.pose_b, of_b}};
+  return {&pair.pose_a, turnedBack(pair.pose_a, pair.fromB(of_b)), {&pair.pose_b, of_b}};
 }
 /// Where that point is (the paper's Algorithm 1 under a's fill rule). Exact.
 Location locateInA(const PosedPair& pair, const Vec2& of_b);

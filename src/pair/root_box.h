@@ -17,7 +17,7 @@ namespace tricover::detail {
 /// they may meet. No point of a is farther than 1 from its origin, and none of b from its own, because b's unit is at
 /// most a's: so 4 is more than all extents together. Floats round as kGapRounding counts; far away they would overflow,
 /// and the error may be as large as the way.
-inline double rootGap(const Box& a, const Box& b, const UnitMap& map, double rounding) {
+inline double rootGap(const Box& a, const Box& b, const UnitMap& map) {
   assert(map.scale <= 1);
   const Double2 m0{map.r00, map.r10}, m1{map.r01, map.r11}, center_b = widened(load2(&b.x));
   const Double2 turned = widened(load2(&b.ux)), axis_b = m0 * turned[0] + m1 * turned[1];
@@ -36,7 +36,7 @@ inline double rootGap(const Box& a, const Box& b, const UnitMap& map, double rou
   const Float4 extents = joined(load2(&a.along), load2(&b.along) * static_cast<float>(map.scale));
   const Float4 gaps = apart - (extents + shuffled<2, 3, 0, 1>(extents) * cosine + shuffled<3, 2, 1, 0>(extents) * sine);
   const Float4 larger_gaps = larger(gaps, shuffled<2, 3, 0, 1>(gaps));
-  return std::max(larger_gaps[0], larger_gaps[1]) - rounding * (far[0] + far[1] + 4) - map.error;
+  return std::max(larger_gaps[0], larger_gaps[1]) - map.rounding * (far[0] + far[1] + 4) - map.error;
 }
 
 /// A lower bound, in units, of the distance of a place from the box around everything; not positive where it may be

@@ -11,13 +11,10 @@ namespace tricover {
 namespace detail {
 namespace {
 
-/// Whether |u x w| <= length |u| may hold, each coordinate of w being right to within `error` beside its own rounding.
-/// Left: orientFilter's bound, with exact u's of one rounding. Right: 4 roundings.
-bool inStrip(double ux, double uy, double wx, double wy, double error, double length) {
-  const double left = ux * wy, right = uy * wx;
-  const double bound =
-      8 * kUnitRoundoff * (std::abs(left) + std::abs(right)) + 1.0001 * error * (std::abs(ux) + std::abs(uy)) + kTiny;
-  return !(std::abs(left - right) > bound + length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUnitRoundoff));
+/// Whether p may be at most `length` away from the line along u through 0. Beside the area's bound: 4 roundings.
+bool inStrip(double ux, double uy, const ApproxPoint& p, double length) {
+  const ApproxArea area = approxArea({0, 0, 0}, {ux, uy, 0}, p);
+  return !(std::abs(area.area) > area.bound + length * std::sqrt(ux * ux + uy * uy) * (1 + 8 * kUnitRoundoff));
 }
 
 }  // namespace
@@ -25,13 +22,13 @@ bool inStrip(double ux, double uy, double wx, double wy, double error, double le
 bool inExtendedArea(const Vec2& v, const Vec2& w, const ApproxPoint& p, double length) {
   const double ux = w.x() - v.x(), uy = w.y() - v.y(), wx = p.x - v.x(), wy = p.y - v.y();
   const double size = std::max(std::abs(ux), std::abs(uy)), far = std::max(std::abs(wx), std::abs(wy));
-  if (size > 0x1p-400 && size < 0x1p400 && far < 0x1p400) return inStrip(ux, uy, wx, wy, p.error, length);
+  if (size > 0x1p-400 && size < 0x1p400 && far < 0x1p400) return inStrip(ux, uy, {wx, wy, p.error}, length);
   if (size == 0) return std::abs(wy) * (1 - 4 * kUnitRoundoff) <= length + p.error;  // no direction: taken as level
   if (far <= length || !std::isfinite(size) || !std::isfinite(far)) return true;
   // u and w are brought near 1, each by a power of two; the length is below w.
   const int exponent_u = -std::ilogb(size), exponent_w = -std::ilogb(far);
-  return inStrip(std::scalbn(ux, exponent_u), std::scalbn(uy, exponent_u), std::scalbn(wx, exponent_w),
-                 std::scalbn(wy, exponent_w), std::scalbn(p.error, exponent_w) + kTiny,
+  return inStrip(std::scalbn(ux, exponent_u), std::scalbn(uy, exponent_u),
+                 {std::scalbn(wx, exponent_w), std::scalbn(wy, exponent_w), std::scalbn(p.error, exponent_w) + kTiny},
                  std::scalbn(length, exponent_w));
 }
 

@@ -132,7 +132,7 @@ class BoundaryLines {
   template <typename Offer>
   void offerFoot(const Line& line, Offer offer) const {
     // By the axis: the ends of a short piece know the direction of a long segment less well.
-    const Vec2 p = line.v + std::clamp(-line.axis.dot(line.v), 0.0, line.length) * line.axis;
+    const Vec2 p = line.v + footAlong(Vec2::Zero(), line.v, line.axis, 1, line.length) * line.axis;
     const bool is_foot = std::abs(line.axis.dot(p)) <= 4 * resolution_ + line.slack * p.norm();
     if (is_foot && leads(p, line, cross(line.axis, p), 0)) offer(p, 0.0);
   }

@@ -27,7 +27,7 @@ static_assert(kClimbError >= kUnitRows * errorOf(1) * (1 + 2 * kRoot2 + 2 * kRoo
 //   both corners are off by PosedPair::kErrorOfB in either coordinate  5 sqrt2
 //   their difference 1U, the edge's direction (1 + 2 sqrt2) U          4.9 * 3
 //   cross product, the edge's length, quotient: 10U                    10 * 3
-// error() is more than what TurnBack makes of a corner: 1.5 * 5 + 8 sqrt2.
+// error() is more than what turnedBack() makes of a corner: 1.5 * 5 + 8 sqrt2.
 constexpr double kSumOfDepthErrors = 18 * 2 * kRoot2 + 5 * kRoot2 + 4.9 * 3 + 10 * 3;
 
 bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.depth; }
@@ -41,71 +41,55 @@ bool isLessDeep(const FaceDepth& f, const FaceDepth& g) { return f.depth < g.dep
 static_assert((kRoot2 * 100 + 3 * 32 + 3 * 16) * kUnitRoundoff / 1e-14 + 5 * errorOf(1) / kUnitRoundoff <
               1e-15 / kUnitRoundoff);
 
-/// The gaps behind faces of two outlines, in two-fold numbers from both poses as given. Lengths are times a power of
-/// two that keeps products in range.
-class SupportGaps {
- public:
-  explicit SupportGaps(const PosedPair& pair)
-      : rings{ringOf(pair.a), ringOf(pair.b)}, poses_{&pair.pose_a, &pair.pose_b} {
-    const Vec2 ta = pair.pose_a.translation(), tb = pair.pose_b.translation();
-    const double largest =
-        std::max({pair.a.extent, pair.b.extent, ta.lpNorm<Eigen::Infinity>(), tb.lpNorm<Eigen::Infinity>()});
-    scale = std::ldexp(1, largest > 0 ? -std::clamp(std::ilogb(largest), -1000, 1000) : 0);
-    shift = twoSum(load2(tb.data()) * scale, load2(ta.data()) * -scale);
-  }
+/// A power of two that keeps products of the pair's lengths in range.
+double scaleFor(const PosedPair& pair) {
+  const Vec2 ta = pair.pose_a.translation(), tb = pair.pose_b.translation();
+  const double largest =
+      std::max({pair.a.extent, pair.b.extent, ta.lpNorm<Eigen::Infinity>(), tb.lpNorm<Eigen::Infinity>()});
+  return std::ldexp(1, largest > 0 ? -std::clamp(std::ilogb(largest), -1000, 1000) : 0);
+}
 
-  /// Along a convex outline heights fall and rise once each: the way to the deepest corner leads from corner
-  /// face.deepest on down, unless that is certain.
-  SupportGap behind(const FaceDepth& face) const {
-    const int side = face.of_a ? 0 : 1;
-    const ConvexRing &own = rings[side], &other = rings[1 - side];
-    const double *pose = poses_[side]->data(), *other_pose = poses_[1 - side]->data();
-    const Double2 v = own.vertex(face.edge) * scale, w = own.vertex(own.next(face.edge)) * scale;
-    const double hand = poses_[side]->linear().determinant() < 0 ? -1 : 1;
-    Double2 along;
-    Twofold<Double2> way;
-    const auto isDeeper = [&](std::uint32_t j, std::uint32_t i) {
-      twofoldWay(other_pose, other.vertex(i) * scale, other_pose, other.vertex(j) * scale, {}, way);
-      return hand * twofoldArea(pose, v, w, way, along) > 0;
-    };
-    std::uint32_t at = face.deepest, steps = face.certain ? other.size() : 0;
-    for (; steps < other.size() && isDeeper(other.next(at), at); ++steps) at = other.next(at);
-    for (; steps < other.size() && isDeeper(other.previous(at), at); ++steps) at = other.previous(at);
-    const Double2 deepest = other.vertex(at) * scale;
-    twofoldWay(poses_[0]->data(), face.of_a ? v : deepest, poses_[1]->data(), face.of_a ? deepest : v, shift, way);
-    const double from_a = face.of_a ? hand : -hand, area = from_a * twofoldArea(pose, v, w, way, along);
-    // The normal of a short edge among huge ones may be one of the smallest doubles, and its length hardly known.
-    const Vec2 normal = from_a * Vec2(along[1], -along[0]);
-    const double length = std::hypot(normal.x(), normal.y()), larger = normal.lpNorm<Eigen::Infinity>();
-    const double depth = length > 0 ? std::max(0.0, area / length) : std::numeric_limits<double>::infinity();
-    return {{face.of_a, true, face.edge, at, depth}, larger > 0 ? Vec2((normal / larger).normalized()) : Vec2(1, 0)};
-  }
-
-  const ConvexRing rings[2];  ///< counter-clockwise
-  double scale;
-  Twofold<Double2> shift;  ///< of b's translation from a's
-
- private:
-  static ConvexRing ringOf(const PolygonData& polygon) {
-    const ConvexOutline& outline = convexOutlineOf(polygon);
-    return {outline.points.data(), outline.corners.size(), 1};
-  }
-
-  const Pose* poses_[2];
-};
+/// The gap behind a face, times `scale`, in two-fold numbers from both poses as given. Along a convex outline heights
+/// fall and rise once each: the way to the deepest corner leads from corner face.deepest on down, unless that is
+/// certain.
+SupportGap gapBehind(const PosedPair& pair, double scale, const FaceDepth& face) {
+  const ConvexRing own = convexOutlineOf(face.of_a ? pair.a : pair.b).ring(),
+                   other = convexOutlineOf(face.of_a ? pair.b : pair.a).ring();
+  const Pose& own_pose = face.of_a ? pair.pose_a : pair.pose_b;
+  const double *pose = own_pose.data(), *other_pose = (face.of_a ? pair.pose_b : pair.pose_a).data();
+  const Double2 v = own.vertex(face.edge), w = own.vertex(own.next(face.edge));
+  const double hand = isMirrored(own_pose) ? -1 : 1;
+  Double2 along;
+  Twofold<Double2> way;
+  const auto isDeeper = [&](std::uint32_t j, std::uint32_t i) {
+    twofoldWay(other_pose, other.vertex(i), other_pose, other.vertex(j), scale, way);
+    return hand * twofoldArea(pose, v * scale, w * scale, way, along) > 0;
+  };
+  std::uint32_t at = face.deepest, steps = face.certain ? other.size() : 0;
+  for (; steps < other.size() && isDeeper(other.next(at), at); ++steps) at = other.next(at);
+  for (; steps < other.size() && isDeeper(other.previous(at), at); ++steps) at = other.previous(at);
+  const Double2 deepest = other.vertex(at);
+  twofoldWay(pair.pose_a.data(), face.of_a ? v : deepest, pair.pose_b.data(), face.of_a ? deepest : v, scale, way);
+  const double from_a = face.of_a ? hand : -hand, area = from_a * twofoldArea(pose, v * scale, w * scale, way, along);
+  // The normal of a short edge among huge ones may be one of the smallest doubles, and its length hardly known.
+  const Vec2 normal = from_a * Vec2(along[1], -along[0]);
+  const double length = std::hypot(normal.x(), normal.y()), larger = normal.lpNorm<Eigen::Infinity>();
+  const double depth = length > 0 ? std::max(0.0, area / length) : std::numeric_limits<double>::infinity();
+  return {{face.of_a, true, face.edge, at, depth}, larger > 0 ? Vec2((normal / larger).normalized()) : Vec2(1, 0)};
+}
 
 /// Looks at all faces that may be the least by plain doubles, or at all if these don't tell.
-std::vector<SupportGap> leastGaps(const SeparatingAxes* axes, const SupportGaps& outlines) {
+std::vector<SupportGap> leastGaps(const PosedPair& pair, const SeparatingAxes* axes, double scale) {
   std::vector<SupportGap> gaps;
   if (axes != nullptr && axes->verdict() == SeparatingAxes::Meet) {
-    for (const FaceDepth& face : *axes) gaps.push_back(outlines.behind(face));
+    for (const FaceDepth& face : *axes) gaps.push_back(gapBehind(pair, scale, face));
     return gaps;
   }
-  for (const int side : {0, 1}) {
-    const std::uint32_t size = outlines.rings[side].size();
+  for (const bool of_a : {true, false}) {
+    const std::uint32_t size = convexOutlineOf(of_a ? pair.a : pair.b).ring().size();
     std::uint32_t at = 0;
     for (std::uint32_t k = 0; k < size && size > 1; ++k) {
-      gaps.push_back(outlines.behind({side == 0, false, k, at, 0}));
+      gaps.push_back(gapBehind(pair, scale, {of_a, false, k, at, 0}));
       at = gaps.back().deepest;
     }
   }
@@ -121,7 +105,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
       b_(pair.b, pair.pose_b, pair.shift()),
       within_(tie() + 3 * depthError()) {
   static_assert(kDepthError * kError >= kUnitRows * kSumOfDepthErrors * kUnitRoundoff &&
-                kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * TurnBack::kError));
+                kError >= kUnitRows * (1.5 * PosedPair::kErrorOfB + kRoot2 * kTurnedBackError));
   if (!(size_ < 0x1p200)) return;  // areas or their squares may overflow
   verdict_ = lookBehindAll();
   if (verdict_ != Meet) return;
@@ -196,7 +180,7 @@ void SeparatingAxes::skipDeep(const AxisSide& side, Double2 p, std::uint32_t& ed
   const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + depthError(),
                most_square = most * most * (1 + 8.1 * kLargestDefect);
   const ConvexRing& ring = side.ring.ring;
-  const Double2 point = side.inOwnFrame(p);
+  const Double2 point = side.ring.inOwnFrame(p);
   while (--left > 0) {
     edge = ring.next(edge);
     const Double2 way = ring.edge(edge), square = way * way;
@@ -234,15 +218,14 @@ void SeparatingAxes::removeDeep() {
 }
 
 SupportGap leastSupportGap(const PosedPair& pair, const SeparatingAxes* axes, double tie) {
-  const SupportGaps outlines(pair);
-  const std::vector<SupportGap> gaps = leastGaps(axes, outlines);
+  const double scale = scaleFor(pair);
+  const std::vector<SupportGap> gaps = leastGaps(pair, axes, scale);
   if (gaps.empty()) return {{true, true, 0, 0, 0}, Vec2(1, 0)};  // two points, which any translation parts
   double least = std::numeric_limits<double>::infinity();
   for (const SupportGap& gap : gaps) least = std::min(least, gap.depth);
-  const double scale = outlines.scale;
   const Vec2 towards_b = pair.pose_b.linear() * (pair.b.origin * scale) -
                          pair.pose_a.linear() * (pair.a.origin * scale) +
-                         Vec2(outlines.shift.high[0], outlines.shift.high[1]);
+                         (pair.pose_b.translation() * scale - pair.pose_a.translation() * scale);
   const auto along = [&](const SupportGap& gap) { return gap.normal.dot(towards_b); };
   const SupportGap* best = nullptr;
   for (const SupportGap& gap : gaps)

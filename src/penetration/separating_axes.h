@@ -15,13 +15,8 @@ namespace tricover::detail {
 /// One of two polygons by its outline, in the world less a's translation.
 struct AxisSide {
   AxisSide(const PolygonData& polygon_, const Pose& pose, Double2 shift)
-      : polygon(polygon_),
-        outline(convexOutlineOf(polygon)),
-        ring({outline.points.data(), outline.corners.size(), 1}, pose, shift),
-        into_frame(pose) {}
+      : polygon(polygon_), outline(convexOutlineOf(polygon)), ring(outline.ring(), pose, shift) {}
 
-  /// The point in the polygon's own frame, off by at most SeparatingAxes::error().
-  Double2 inOwnFrame(Double2 p) const { return into_frame(p - ring.shift); }
   /// Outwards from an edge, a unit vector.
   Vec2 normalOf(EdgePosition edge) const {
     const Double2 normal = ring.normal(edge);
@@ -31,7 +26,6 @@ struct AxisSide {
   const PolygonData& polygon;
   const ConvexOutline& outline;
   const PosedRing ring;  ///< counter-clockwise in its own frame
-  const TurnBack into_frame;
 };
 
 /// A face of either outline, and the corner of the other one that is deepest behind it.

@@ -12,8 +12,8 @@
 #include "distance/edge_distance.h"
 #include "exact_reference.h"
 #include "families.h"
-#include "hierarchy/placement.h"
 #include "hierarchy/simd.h"
+#include "hierarchy/unit_map.h"
 #include "laws.h"
 #include "pair/collide_by_hierarchy.h"
 #include "pair/edge_pairs.h"
@@ -232,10 +232,9 @@ TEST(RootGap, IsTheBoxesSeparationButForRounding) {
     const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
     const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
     const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::UnitPlacement at = pair.inUnits();
-    const detail::UnitMap& map = at.map;
+    const detail::UnitMap map = pair.inUnits();
     const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
-    const double gap = detail::rootGap(box_a, box_b, map, at.rounding);
+    const double gap = detail::rootGap(box_a, box_b, map);
     const double truth = separation(box_a, box_b, map);
     ASSERT_LE(gap, truth) << i;
     ASSERT_GE(gap, truth - 1e-4) << i;
@@ -281,7 +280,7 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
       (overlap(middle * std::cos(towards), middle * std::sin(towards)) > depth ? low : high) = middle;
     }
     const double tx = high * std::cos(towards), ty = high * std::sin(towards);
-    const double claim = detail::innerDepth(a, b, {c, -s, s, c, tx, ty, 1, error}, 0x1p-19);
+    const double claim = detail::innerDepth(a, b, {c, -s, s, c, tx, ty, 1, error});
     if (claim <= 0) continue;
     ++claimed;
     // The map may be wrong by `error`: b may be that much farther away.
@@ -470,7 +469,7 @@ TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
   const Polygon small({regular(5, 1)}), large({regular(5, 100)});
   const Pose here = Pose::Identity();
   const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
-  EXPECT_LE(in_order.inUnits().map.scale, 1);
+  EXPECT_LE(in_order.inUnits().scale, 1);
   EXPECT_DEATH(swapped.inUnits(), "unit");
 }
 #endif

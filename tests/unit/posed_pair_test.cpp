@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "hierarchy/placement.h"
+#include "hierarchy/unit_map.h"
 #include "pair/world_frame.h"
 #include "random.h"
 #include "shapes.h"
@@ -50,7 +50,7 @@ ExactVector turnedBack(const Pose& pose, const ExactVector& v) {
 }
 
 /// Also where poses are rigid only as far as is allowed, and where the origins are far from the polygons.
-TEST(UnitPlacement, MapsWithinItsErrorAndItsDefect) {
+TEST(UnitMap, MapsWithinItsErrorAndItsDefect) {
   Random random(13);
   int large = 0, larger_than_rounding = 0;
   const int asked = scaledCount(300);
@@ -69,8 +69,7 @@ TEST(UnitPlacement, MapsWithinItsErrorAndItsDefect) {
     const PosedPair pair(a, pose_a, b, pose_b);
     const bool is_inverse = i % 7 < 3;
     const double defect = detail::defectOf(pose_a, pose_b);
-    const detail::UnitPlacement place = is_inverse ? pair.inUnits() : pair.inUnits(defect);
-    const detail::UnitMap& map = place.map;
+    const detail::UnitMap map = is_inverse ? pair.inUnits() : pair.inUnits(defect);
     const ExactVector origin = posed(pose_a, a.origin);
     const mpq_class unit(a.unit), error(map.error), scale(map.scale);
     for (const Vec2& v : b.path) {
@@ -90,10 +89,10 @@ TEST(UnitPlacement, MapsWithinItsErrorAndItsDefect) {
     const mpq_class low = 1 - mpq_class(defect), high = 1 + mpq_class(defect);
     for (const mpq_class& square : {mapped.square(), turnedBack(pose_a, turned(pose_b, v)).square()})
       ASSERT_TRUE(low * low * length <= square && square <= high * high * length) << i;
-    const mpq_class in_world = turned(pose_a, v).square(), least = 1 - mpq_class(place.scale_defect),
-                    most = 1 + mpq_class(place.scale_defect);
+    const mpq_class in_world = turned(pose_a, v).square(), least = 1 - mpq_class(map.scale_defect),
+                    most = 1 + mpq_class(map.scale_defect);
     ASSERT_TRUE(least * least * length <= in_world && in_world <= most * most * length) << i;
-    larger_than_rounding += place.scale_defect > 1e-8;
+    larger_than_rounding += map.scale_defect > 1e-8;
   }
   EXPECT_GE(large, asked) << "of four vertices each: the bound is worth something";
   EXPECT_GE(larger_than_rounding, asked / 2);

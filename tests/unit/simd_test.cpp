@@ -10,7 +10,7 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/axis_boxes.h"
-#include "hierarchy/placement.h"
+#include "hierarchy/unit_map.h"
 #include "pair/collide_by_hierarchy.h"
 #include "portable_lanes.h"
 #include "random.h"
@@ -77,8 +77,8 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
-    const detail::UnitPlacement units = pair.inUnits();
-    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {}); };
+    const detail::UnitMap units = pair.inUnits();
+    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units, {}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     if (meeting == detail::Meeting::Unknown) {
@@ -132,10 +132,8 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
     Check check{pair};
-    const detail::UnitPlacement units = pair.inUnits();
-    const auto answer = [&] {
-      return detail::fewEdgesMeet(*of_a, *of_b, units.map, units.rounding, {&check, &Check::meet});
-    };
+    const detail::UnitMap units = pair.inUnits();
+    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units, {&check, &Check::meet}); };
     const detail::Meeting meeting = meetingAlike(answer, c);
     if (HasFailure()) return;
     doubted += check.asked > 0;
