@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "numbers/convex_hull.h"
+#include "numbers/predicates.h"
 #include "overlay/edge_sides.h"
 #include "polygon/covering.h"
 #include "polygon/edge_walk.h"
@@ -151,8 +153,12 @@ class Sweep {
   Moments sum_;
 };
 
-/// Whether the region has an area. Exact. Most polygons prove it by their first edge.
+/// Whether the region has an area. Exact. Most polygons prove it by their first edge; on one line there is none, where
+/// each edge would be asked about all others.
 bool hasArea(const PolygonData& polygon) {
+  const auto [first, last] = std::minmax_element(polygon.path.begin(), polygon.path.end(), isBefore);
+  const auto isOnLine = [&v = *first, &w = *last](const Vec2& p) { return orientation(v, w, p) == 0; };
+  if (std::all_of(polygon.path.begin(), polygon.path.end(), isOnLine)) return false;
   const PosedRegions itself(polygon);
   bool has_area = false;
   forEachEdge(polygon, [&](EdgePosition edge) {

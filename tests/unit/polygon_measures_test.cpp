@@ -53,6 +53,10 @@ TEST(PolygonMeasures, WithoutAnAreaTheCentroidIsTheMiddle) {
   const std::vector<Ring> twice(2, {{0, 0}, {3, 1}, {1, 7}});
   EXPECT_EQ(Polygon(twice).centroid(), Vec2(1.5, 3.5));
   EXPECT_TRUE(Polygon(twice, FillRule::NonZero).centroid().isApprox(Vec2(4, 8) / 3));
+  // Many edges upon each other, for which all pairs of them would take minutes.
+  Ring on_a_line;
+  for (int i = 0; i < 30000; ++i) on_a_line.emplace_back((i * 7919) % 30000, 0);
+  EXPECT_EQ(Polygon({on_a_line}).centroid(), Vec2(14999.5, 0));
 }
 
 TEST(PolygonMeasures, GoToTheEndsOfDoubles) {
