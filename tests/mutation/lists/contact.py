@@ -53,7 +53,7 @@ MUTATIONS = [
     ("src/penetration/boundary_lines.h", "<= half * axis.lpNorm<1>()", "<= 0.7 * half", "penetration: what cuts a square's corner isn't in it"),
     ("src/penetration/translation_search.cpp", "return unchanged >= radius;", "return outcome.collides || unchanged >= radius;", "penetration: a cell whose centre overlaps is done with"),
     ("src/penetration/translation_search.cpp", "return unchanged >= radius;", "return !outcome.collides || unchanged >= radius;", "penetration: a cell whose centre is free is done with"),
-    ("src/penetration/translation_space.cpp", "inner.radius[k] * frame.scale(side) * (1 - kLargestDefect)", "inner.radius[k] * side.scale * side.scale * (1 - kLargestDefect)", "penetration: discs in their polygon's units"),
+    ("src/penetration/translation_space.cpp", "inner.radius[k] * frame.scale(side) * (1 - kLargestDefect)", "inner.radius[k] * frame.scale(side) * frame.scale(side) * (1 - kLargestDefect)", "penetration: discs in their polygon's units"),
     ("src/penetration/penetration.cpp", "p.lower_bound = std::max(p.lower_bound + margin, 0.0);", "p.lower_bound = p.depth;", "penetration: with a margin the depth is the bound"),
     ("src/contact/crossings.h", "sides.hasAnyUntil(&EdgeSides::Piece::bordersBoth, met_[operand][e], side)", "sides.hasAny(&EdgeSides::Piece::bordersBoth)", "contacts: a spike has the interior that its edge borders elsewhere"),
     ("src/contact/crossings.h", "has(c) || isInOtherAt(EdgeSides::A, c.edge[0], c.edge[1])", "has(c)", "contacts, touching allowed: an edge without an area beside it in the other's interior"),
