@@ -70,7 +70,7 @@ class Body {
   /// The outer normal of an edge of a small polygon, at the interval's begin.
   Vec2 normal(const Places& p, EdgePosition edge) const {
     const Double2 e = ring_.edge(edge);
-    const double x = p.m00[0] * e[0] + p.m01[0] * e[1], y = p.m10[0] * e[0] + p.m11[0] * e[1];
+    const double x = p.turnedX(e[0], e[1])[0], y = p.turnedY(e[0], e[1])[0];
     const bool is_mirrored = p.m00[0] * p.m11[0] < p.m10[0] * p.m01[0];
     return (is_mirrored ? -ring_.turn() : ring_.turn()) * Vec2(y, -x).normalized();
   }

@@ -20,6 +20,12 @@ namespace tricover::detail {
 struct Places {
   Double2 m00, m10, m01, m11, x, y, pivot_x, pivot_y;
 
+  /// Where a point of the hierarchy is, times its scale; and M alone, for directions.
+  Double2 mappedX(double px, double py) const { return turnedX(px, py) + x; }
+  Double2 mappedY(double px, double py) const { return turnedY(px, py) + y; }
+  Double2 turnedX(double px, double py) const { return m00 * px + m01 * py; }
+  Double2 turnedY(double px, double py) const { return m10 * px + m11 * py; }
+
   /// From S to another mover's, at the begin.
   Vec2 originTo(const Places& other) const { return {other.x[0] - x[0], other.y[0] - y[0]}; }
   /// At its end, in either lane.
@@ -175,11 +181,10 @@ inline BoxOrEdge Mover::node(std::uint32_t index) const {
 }
 
 inline MovingBox Mover::box(const Places& p, const BoxOrEdge& node, double inverse) const {
-  const Double2 ux = p.m00 * node.ux + p.m01 * node.uy, uy = p.m10 * node.ux + p.m11 * node.uy;
-  const Double2 vx = p.m01 * node.ux - p.m00 * node.uy, vy = p.m11 * node.ux - p.m10 * node.uy;
+  const Double2 ux = p.turnedX(node.ux, node.uy), uy = p.turnedY(node.ux, node.uy);
+  const Double2 vx = p.turnedX(-node.uy, node.ux), vy = p.turnedY(-node.uy, node.ux);
   const double unit = scale * inverse, x = node.x * unit, y = node.y * unit;
-  return {p.m00 * x + p.m01 * y + p.x, p.m10 * x + p.m11 * y + p.y, ux, uy, vx, vy,
-          node.along * unit,           node.across * unit};
+  return {p.mappedX(x, y), p.mappedY(x, y), ux, uy, vx, vy, node.along * unit, node.across * unit};
 }
 
 /// What is known of the first contact.

@@ -86,7 +86,7 @@ class VertexView {
 
   VertexPath pathOf(const Vec2& vertex, double lever) const {
     const double x = scale_ * vertex.x(), y = scale_ * vertex.y();
-    const VertexPath path = {seen_.m00 * x + seen_.m01 * y + seen_.x, seen_.m10 * x + seen_.m11 * y + seen_.y, 0};
+    const VertexPath path = {seen_.mappedX(x, y), seen_.mappedY(x, y), 0};
     const double distance =
         chord_error_.by_distance > 0 ? lengthAbove(path.x[0] - pivot_.x(), path.y[0] - pivot_.y()) * unit_ : 0;
     return {path.x, path.y, chord_error_.of(lever, distance) * inverse_};

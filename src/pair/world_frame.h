@@ -13,8 +13,8 @@ class WorldFrame {
  public:
   explicit WorldFrame(const PosedPair& pair);
 
-  Vec2 fromA(const Vec2& local) const { return linear_a_ * (pair_.a.inUnits(local) * scale_a_) + origin_a_; }
-  Vec2 fromB(const Vec2& local) const { return linear_b_ * (pair_.b.inUnits(local) * scale_b_); }
+  Vec2 fromA(const Vec2& local) const { return turned(0, pair_.a.inUnits(local)) + origin_a_; }
+  Vec2 fromB(const Vec2& local) const { return turned(1, pair_.b.inUnits(local)); }
   Vec2 edgeOfA(EdgePosition position, double t) const { return between(edgeEndsOfA(position), t); }
   Vec2 edgeOfB(EdgePosition position, double t) const { return between(edgeEndsOfB(position), t); }
 
@@ -27,6 +27,14 @@ class WorldFrame {
   Ends edgeEnds(int side, EdgePosition position) const {
     return side == 0 ? edgeEndsOfA(position) : edgeEndsOfB(position);
   }
+
+  /// A vector in the polygon's units.
+  Vec2 turned(int side, const Vec2& in_units) const {
+    return side == 0 ? Vec2(linear_a_ * (in_units * scale_a_)) : Vec2(linear_b_ * (in_units * scale_b_));
+  }
+  /// A polygon's unit in the frame's, and whether its pose mirrors.
+  double scale(int side) const { return side == 0 ? scale_a_ : scale_b_; }
+  bool mirrors(int side) const { return (side == 0 ? linear_a_ : linear_b_).determinant() < 0; }
 
   /// Back into a polygon's own frame.
   Vec2 toA(const Vec2& p) const { return pair_.a.origin + linear_a_.inverse() * ((p - origin_a_) * unit_); }

@@ -42,7 +42,7 @@ void PlacedPolygon::place(EdgePosition i) const {
   placed.incoming = way(before, before + 1);
   placed.outgoing = way(i, i + 1);
   if (sides_ == nullptr) return;
-  placed.side = static_cast<std::int8_t>((linear.determinant() < 0 ? -1 : 1) * sides_->rings[ring]);
+  placed.side = static_cast<std::int8_t>((frame_.mirrors(side_) ? -1 : 1) * sides_->rings[ring]);
   const double error = kVertexError * placed.incoming.lpNorm<1>() * placed.outgoing.lpNorm<1>();
   placed.is_reflex = placed.side * cross(placed.incoming, placed.outgoing) < -error;
 }
@@ -148,13 +148,13 @@ std::vector<TranslationSpace::Disc> TranslationSpace::overlappingDiscs() const {
   std::vector<Disc> discs;
   if (a_.polygon.isDegenerate() || b_.polygon.isDegenerate()) return discs;
   const InnerDiscs &of_a = innerDiscsOf(a_.polygon), &of_b = innerDiscsOf(b_.polygon);
-  const auto placed = [](const PlacedPolygon& side, const InnerDiscs& inner, int k) {
-    return Disc{side.linear * (Vec2(inner.x[k], inner.y[k]) * side.scale),
-                inner.radius[k] * side.scale * (1 - kLargestDefect)};
+  const auto placed = [&](int side, const InnerDiscs& inner, int k) {
+    return Disc{frame.turned(side, {inner.x[k], inner.y[k]}),
+                inner.radius[k] * frame.scale(side) * (1 - kLargestDefect)};
   };
   for (int i = 0; i < of_a.count; ++i)
     for (int j = 0; j < of_b.count && (i + 1) * (j + 1) <= kMost; ++j) {
-      const Disc a = placed(a_, of_a, i), b = placed(b_, of_b, j);
+      const Disc a = placed(0, of_a, i), b = placed(1, of_b, j);
       discs.push_back({frame.originOfA() + a.center - b.center, a.radius + b.radius - 8 * noise_});
     }
   return discs;

@@ -38,11 +38,7 @@ struct PlacedVertex {
 class PlacedPolygon {
  public:
   PlacedPolygon(const PosedPair& pair, const WorldFrame& frame, int side)
-      : polygon(side == 0 ? pair.a : pair.b),
-        linear(side == 0 ? pair.pose_a.linear() : pair.pose_b.linear()),
-        scale(polygon.unit / frame.unit()),
-        frame_(frame),
-        side_(side) {}
+      : polygon(side == 0 ? pair.a : pair.b), frame_(frame), side_(side) {}
 
   Vec2 vertex(std::size_t i) const { return frame_.from(side_, polygon.path[i]); }
 
@@ -55,15 +51,13 @@ class PlacedPolygon {
   }
 
   const PolygonData& polygon;
-  const Eigen::Matrix2d linear;
-  const double scale;  ///< its unit in the frame's
 
  private:
   void place(EdgePosition i) const;
   /// From vertices in units, since their difference may overflow.
   Vec2 way(std::size_t from, std::size_t to) const {
     const double inverse = polygon.inverse_unit;
-    return linear * ((polygon.path[to] * inverse - polygon.path[from] * inverse) * scale);
+    return frame_.turned(side_, polygon.path[to] * inverse - polygon.path[from] * inverse);
   }
 
   const WorldFrame& frame_;
@@ -135,7 +129,7 @@ class TranslationSpace {
   /// are. But for some that bound nothing.
   std::vector<Segment> segmentsWithin(double radius) const;
 
-  bool isFinite() const { return noise_ < std::max(a_.scale, b_.scale); }
+  bool isFinite() const { return noise_ < std::max(frame.scale(0), frame.scale(1)); }
   /// At least what an end of a segment is wrong by, and t in at().
   double noise() const { return noise_; }
 

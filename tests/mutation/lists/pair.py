@@ -80,7 +80,7 @@ MUTATIONS = [
     ("src/pair/posed_pair.cpp", "const double below = d - endsError(pair) - 2 * kSegmentDistanceError * length;", "const double below = 2 * d;", "crossing depth: too large"),
     ("src/pair/posed_pair.h", "return kErrorOfB * size_of_b_ + kTiny;", "return 0;", "posed pair: no error"),
     ("src/numbers/rigidity.h", "return pose.linear().determinant() < 0;", "return false;", "mirrored poses: exact signs"),
-    ("src/numbers/rigidity.h", " * swapped(v)) * (1 / det);", " * swapped(v));", "relative pose: determinant forgotten"),
+    ("src/numbers/rigidity.h", " * swapped(v)) * (1 / det);", " * swapped(v)) * (det / det);", "relative pose: determinant forgotten"),
     ("src/pair/posed_pair.h", "Gram(columns_a_[0], columns_a_[1]).defect())", "0)", "scale defect"),
     ("src/pair/posed_pair.h", "Gram(r0, r1).defect(),", "0,", "defect of the relative pose"),
     ("src/hierarchy/unit_map.h", "length * (1 + 2 * scale_defect) * inverse_unit", "length * inverse_unit", "margin in a's frame: scale forgotten"),
