@@ -115,9 +115,9 @@ class PosedVertices : public PosedPair {
   static constexpr double kLeastShare = 0x1p-44;
   /// How far a vertex is from an edge, by two-fold numbers; 0 if these don't tell. The nearest point is certainly the
   /// edge's start (place -1), its end (1) or inside (0), or that is kUncertain, and `at_end` names the nearer end.
-  /// `part` becomes where the nearest point is on the edge, from 0 to 1, unless it is certainly inside. Beside an edge
-  /// the last steps are in doubles where the way from the nearer end is no longer than kSteepest times the distance:
-  /// see EdgeDistances. All lengths times `scale`.
+  /// `part` becomes where the nearest point is on the edge, from 0 to 1, or stays if that is certainly inside. Beside
+  /// an edge the last steps are in doubles where the way from the nearer end is no longer than kSteepest times the
+  /// distance: see EdgeDistances. All lengths times `scale`.
   double twofoldDistance(bool edge_of_a, int place, bool at_end, EdgePosition edge, std::size_t vertex, double scale,
                          double& part) const;
   static constexpr double kSteepest = 8.5;

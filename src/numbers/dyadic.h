@@ -157,7 +157,7 @@ class DyadicIn {
 
 /// Capacity, for the largest use (a squared distance against a squared margin): a posed coordinate R p + t is a
 /// multiple of 2^-2148 and below 2^1026, a difference of two takes at most 51 limbs, a product of differences 103, the
-/// square of that 206.
+/// square of that 206. Of points outside of everything, a few bits larger, only products of differences are made.
 using Dyadic = DyadicIn<std::array<std::uint64_t, 216>>;
 
 /// Outside of the stack. Capacity, for the squared distance from where two lines meet: the two products of differences

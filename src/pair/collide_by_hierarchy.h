@@ -53,9 +53,9 @@ Outcome searchTrees(const UnitMap& at, const EdgeTest& test, double lookahead, W
 /// Of two degenerate polygons, by no tree, or a point b, by a's tree alone.
 Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookahead, Wanted wanted);
 
-/// The default strategy. Whatever is farther apart than the margin by `lookahead` isn't looked at, so that a clearance
-/// of at least that much is found if there is one. The pair must be in order (inOrder()), and its bounding discs may
-/// meet. Inlined, because what discs have computed is in registers.
+/// By trees, once they are paid for. Whatever is farther apart than the margin by `lookahead` isn't looked at, so that
+/// a clearance of at least that much is found if there is one. The pair must be in order (inOrder()), and its bounding
+/// discs may meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitMap& at, const EdgeTest& test, double lookahead,
                                                          Wanted wanted) {
   if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))

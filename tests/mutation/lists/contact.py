@@ -59,7 +59,7 @@ MUTATIONS = [
     ("src/contact/crossings.h", "has(c) || isInOtherAt(EdgeSides::A, c.edge[0], c.edge[1])", "has(c)", "contacts, touching allowed: an edge without an area beside it in the other's interior"),
     ("src/overlay/interiors.cpp", "is_inner = !sides.of(other, e).hasAnyAt(&EdgeSides::Piece::isNoSeam, edge);", "is_inner = false;", "touching allowed: a point on a seam"),
     ("src/contact/overlap_components.cpp", "      addCuts(0, c, true, cuts);\n      addCuts(1, c, alike, cuts);\n", "", "local depth: a common stretch where a polygon meets itself"),
-    ("src/contact/component_contacts.cpp", "pair_.a.edgeName(exit.edges[0])", "pair_.a.edgeNumber(exit.edges[0])", "contacts name edges without length"),
+    ("src/contact/component_contacts.cpp", "pair_.a.edgeName(exit.edges[0])", "(exit.edges[0] == kNoEdge ? -1 : pair_.a.edgeNumber(exit.edges[0]))", "contacts name edges without length"),
     ("src/depth/prepare.cpp", "detail::regionSidesOf(data);", "", "prepare() leaves to a later query what it is for"),
     ("src/penetration/penetration.cpp", "if (off(beside) <= on) return beside;", "", "convex penetration: a corner beside a face that goes on nearly straight"),
 ]

@@ -2,13 +2,13 @@
 // The area and the centroid of a region, by what its fill rule calls inside: a sweep from the lowest vertex to the
 // highest one.
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
-#include "numbers/convex_hull.h"
 #include "numbers/predicates.h"
-#include "overlay/edge_sides.h"
 #include "polygon/covering.h"
 #include "polygon/edge_walk.h"
 #include "polygon/polygon_data.h"
@@ -52,12 +52,12 @@ struct Side {
 std::vector<RisingEdge> risingEdges(const PolygonData& polygon) {
   std::vector<RisingEdge> edges;
   edges.reserve(polygon.path.size());
-  forEachEdge(polygon, [&](EdgePosition e) {
-    const Vec2 v = polygon.inUnits(polygon.path[e]), w = polygon.inUnits(polygon.path[e + 1]);
-    if (v.y() < w.y()) edges.push_back({v, w, -1});
-    if (w.y() < v.y()) edges.push_back({w, v, 1});
-    return true;
-  });
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const Vec2 v = polygon.inUnits(polygon.path[e]), w = polygon.inUnits(polygon.path[e + 1]);
+      if (v.y() < w.y()) edges.push_back({v, w, -1});
+      if (w.y() < v.y()) edges.push_back({w, v, 1});
+    }
   return edges;
 }
 
@@ -153,18 +153,34 @@ class Sweep {
   Moments sum_;
 };
 
-/// Whether the region has an area. Exact. Most polygons prove it by their first edge; on one line there is none, where
-/// each edge would be asked about all others.
+/// Whether the region has an area. It has none exactly if the edges on every line cancel: then no edge separates inside
+/// from outside. One line of edges that don't cancel proves an area, and most polygons have it first.
 bool hasArea(const PolygonData& polygon) {
-  const auto [first, last] = std::minmax_element(polygon.path.begin(), polygon.path.end(), isBefore);
-  const auto isOnLine = [&v = *first, &w = *last](const Vec2& p) { return orientation(v, w, p) == 0; };
-  if (std::all_of(polygon.path.begin(), polygon.path.end(), isOnLine)) return false;
-  const PosedRegions itself(polygon);
-  bool has_area = false;
-  forEachEdge(polygon, [&](EdgePosition edge) {
-    return !(has_area = EdgeSides(itself, EdgeSides::A, edge).hasAny(&EdgeSides::Piece::isBorder));
-  });
-  return has_area;
+  // By the edge's ends, in their order: by how much crossing it changes the winding number.
+  std::map<std::array<OrderedPoint, 2>, int> windings;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const OrderedPoint v = ordered(polygon.path[e]), w = ordered(polygon.path[e + 1]);
+      if (v != w) windings[{std::min(v, w), std::max(v, w)}] += v < w ? 1 : -1;
+    }
+  std::vector<std::pair<std::array<OrderedPoint, 2>, int>> edges;
+  for (const auto& edge : windings)
+    if (isInside(polygon.fill, edge.second)) edges.push_back(edge);
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const Vec2 first(begin->first[0].data()), last(begin->first[1].data());
+    const auto isOn = [&](const OrderedPoint& p) { return orientation(first, last, Vec2(p.data())) == 0; };
+    const auto end = std::partition(begin, edges.end(),
+                                    [&](const auto& edge) { return isOn(edge.first[0]) && isOn(edge.first[1]); });
+    std::map<OrderedPoint, int> steps;
+    for (; begin != end; ++begin) {
+      steps[begin->first[0]] += begin->second;
+      steps[begin->first[1]] -= begin->second;
+    }
+    int winding = 0;
+    for (const auto& step : steps)
+      if (isInside(polygon.fill, winding += step.second)) return true;
+  }
+  return false;
 }
 
 }  // namespace
