@@ -205,9 +205,10 @@ void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, co
   checkPose(pose_b, "pose_b");
   const detail::PosedPair posed(a.data(), pose_a, b.data(), pose_b);
   std::vector<bool> hit_a(a.vertexCount(), false), hit_b(b.vertexCount(), false);
-  for (std::size_t i = 0; i < hit_a.size(); ++i)
-    for (std::size_t j = 0; j < hit_b.size(); ++j)
-      if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j))) hit_a[i] = hit_b[j] = true;
+  for (EdgeIndex i = 0; i < a.edgeCount(); ++i)
+    for (EdgeIndex j = 0; j < b.edgeCount(); ++j)
+      if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j)))
+        hit_a[static_cast<std::size_t>(i)] = hit_b[static_cast<std::size_t>(j)] = true;
   const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
     for (std::size_t i = 0; i < hit.size(); ++i) {
       if (!hit[i]) continue;
