@@ -51,30 +51,6 @@ class Walk {
 
 enum class Located { Inside, Outside, Unsure };
 
-/// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
-Located placeOf(Double2 p, const AxisSide& side, double doubtful) {
-  const ConvexRing& ring = side.ring.ring;
-  const Double2 way = p - ring.vertex(0);
-  bool is_unsure = false;
-  const auto isBeyond = [&](EdgePosition edge) {
-    const double area = cross(ring.edge(edge), p - ring.vertex(edge));
-    is_unsure = is_unsure || !(area > doubtful);
-    return area < -doubtful;
-  };
-  // Between the ways from a corner to corners `low` and `high`.
-  std::uint32_t low = 1, high = ring.size() - 1;
-  if (isBeyond(0) || isBeyond(high)) return Located::Outside;
-  while (high - low > 1) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const double turn = cross(ring.way(0, middle), way);
-    if (!(turn > doubtful || turn < -doubtful)) break;
-    (turn > 0 ? low : high) = middle;
-  }
-  for (std::uint32_t k = low; k < high; ++k)
-    if (isBeyond(k)) return Located::Outside;
-  return is_unsure ? Located::Unsure : Located::Inside;
-}
-
 /// The middle of two outlines' overlap along the normal of a face of `own`, behind which `other` is deepest with its
 /// corner `deepest`.
 class OverlapMiddle {
@@ -213,8 +189,9 @@ class ConvexPair {
     //   the differences' roundings       two in each of two products     4U (2 r)^2
     //   the products', their difference                                  4U (2 r)^2
     //   what the corners are off by      two for each of four factors    8 e 2 r
-    // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them.
-    doubtful_ = 20 * axes_.error() * axes_.size();
+    // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them. Another corner may be farther out
+    // by 18U of the way there (kClimbError) times the face's length, both at most 2 r: less than 5 e r.
+    doubtful_ = 24 * axes_.error() * axes_.size();
   }
 
   /// What is proven of a pair that meets.
@@ -263,14 +240,15 @@ class ConvexPair {
     return *best;
   }
 
-  /// Where one region is as seen from the other one: inside if all of it is.
+  /// Where one region is as seen from the other one: inside if behind each face of that one its support vertex is.
   Located placeOfRegion(bool of_a) const {
-    const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
+    const PosedRing &own = axes_.side(of_a).ring, &other = axes_.side(!of_a).ring;
     bool is_unsure = false;
-    for (std::uint32_t k = 0; k < own.ring.ring.size(); ++k) {
-      const Located place = placeOf(other.ring.inOwnFrame(own.ring.corner(k)), other, doubtful_);
-      if (place == Located::Outside) return place;
-      is_unsure = is_unsure || place == Located::Unsure;
+    for (std::uint32_t k = 0; k < other.ring.size(); ++k) {
+      const Double2 farthest = other.inOwnFrame(own.corner(own.supportVertex(other.normal(k))));
+      const double area = cross(other.ring.edge(k), farthest - other.ring.vertex(k));
+      if (area < -doubtful_) return Located::Outside;
+      is_unsure = is_unsure || !(area > doubtful_);
     }
     return is_unsure ? Located::Unsure : Located::Inside;
   }
