@@ -60,6 +60,12 @@ class ConvexRing {
     return low == size_ ? 0 : low;
   }
 
+  /// The edge at the support vertex along n that leads down from it by less: from it, or to it.
+  std::uint32_t flatterEdge(Double2 n, std::uint32_t support) const {
+    const std::uint32_t before = previous(support);
+    return dot(n, edge(support)) >= -dot(n, edge(before)) ? support : before;
+  }
+
   /// All vertices that may be the support vertex: those between an edge that certainly leads ahead and one that
   /// certainly leads back, as its climb(edge) tells. The walk begins at range.first, so that it is short from one that
   /// was near the support vertex before. False if there are no such edges.

@@ -81,9 +81,7 @@ class Body {
   }
   /// The flatter edge at the support vertex along an axis, at the interval's begin.
   EdgePosition flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) const {
-    const Double2 m = posed(p).inFrame(load2(n.data()));
-    const std::uint32_t before = ring_.previous(vertex);
-    return dot(m, ring_.edge(vertex)) >= -dot(m, ring_.edge(before)) ? vertex : before;
+    return ring_.flatterEdge(posed(p).inFrame(load2(n.data())), vertex);
   }
 
   MovingEdge edge(const Places& p, int lane, std::uint32_t k) const {
