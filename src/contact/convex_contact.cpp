@@ -269,7 +269,7 @@ class ConvexPair {
     const std::uint32_t before = side.ring.ring.previous(corner);
     const bool forward = side.outline.forward;
     const std::uint32_t arriving = forward ? before : corner, leaving = forward ? corner : before;
-    if (slope(arriving) < slope(leaving)) return {arriving, pathEdgeTo(side.polygon, side.outline, corner)};
+    if (slope(arriving) < slope(leaving)) return {arriving, edgesAt(side.polygon, side.outline.corners[corner]).before};
     return {leaving, side.outline.corners[corner]};
   }
 
