@@ -189,9 +189,8 @@ class ConvexPair {
     //   the differences' roundings       two in each of two products     4U (2 r)^2
     //   the products', their difference                                  4U (2 r)^2
     //   what the corners are off by      two for each of four factors    8 e 2 r
-    // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them. Another corner may be farther out
-    // by 18U of the way there (kClimbError) times the face's length, both at most 2 r: less than 5 e r.
-    doubtful_ = 24 * axes_.error() * axes_.size();
+    // which is 32U r^2 + 16 e r and terms of second order: 18 e r with all of them.
+    doubtful_ = 20 * axes_.error() * axes_.size();
   }
 
   /// What is proven of a pair that meets.
@@ -240,15 +239,22 @@ class ConvexPair {
     return *best;
   }
 
-  /// Where one region is as seen from the other one: inside if behind each face of that one its support vertex is.
+  /// Where one region is as seen from the other one: inside if all corners are that may be its support vertices along
+  /// the other one's normals.
   Located placeOfRegion(bool of_a) const {
-    const PosedRing &own = axes_.side(of_a).ring, &other = axes_.side(!of_a).ring;
+    const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
+    const ConvexRing &corners = own.ring.ring, &faces = other.ring.ring;
     bool is_unsure = false;
-    for (std::uint32_t k = 0; k < other.ring.size(); ++k) {
-      const Double2 farthest = other.inOwnFrame(own.corner(own.supportVertex(other.normal(k))));
-      const double area = cross(other.ring.edge(k), farthest - other.ring.vertex(k));
-      if (area < -doubtful_) return Located::Outside;
-      is_unsure = is_unsure || !(area > doubtful_);
+    RingRange range;
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      const Double2 n = other.ring.normal(k);
+      if (!corners.supportVertex(own.ring.inFrame(n), own.climbError(n), range)) return Located::Unsure;
+      for (std::uint32_t step = 0; step < range.count; ++step) {
+        const Double2 corner = own.ring.corner(corners.after(range.first, step));
+        const double area = cross(faces.edge(k), other.ring.inOwnFrame(corner) - faces.vertex(k));
+        if (area < -doubtful_) return Located::Outside;
+        is_unsure = is_unsure || !(area > doubtful_);
+      }
     }
     return is_unsure ? Located::Unsure : Located::Inside;
   }
