@@ -51,30 +51,6 @@ class Walk {
 
 enum class Located { Inside, Outside, Unsure };
 
-/// Where p is, in an outline's own frame, areas of up to `doubtful` being in doubt. O(log n).
-Located placeOf(Double2 p, const AxisSide& side, double doubtful) {
-  const ConvexRing& ring = side.ring.ring;
-  const Double2 way = p - ring.vertex(0);
-  bool is_unsure = false;
-  const auto isBeyond = [&](EdgePosition edge) {
-    const double area = cross(ring.edge(edge), p - ring.vertex(edge));
-    is_unsure = is_unsure || !(area > doubtful);
-    return area < -doubtful;
-  };
-  // Between the ways from a corner to corners `low` and `high`.
-  std::uint32_t low = 1, high = ring.size() - 1;
-  if (isBeyond(0) || isBeyond(high)) return Located::Outside;
-  while (high - low > 1) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const double turn = cross(ring.way(0, middle), way);
-    if (!(turn > doubtful || turn < -doubtful)) break;
-    (turn > 0 ? low : high) = middle;
-  }
-  for (std::uint32_t k = low; k < high; ++k)
-    if (isBeyond(k)) return Located::Outside;
-  return is_unsure ? Located::Unsure : Located::Inside;
-}
-
 /// The middle of two outlines' overlap along the normal of a face of `own`, behind which `other` is deepest with its
 /// corner `deepest`.
 class OverlapMiddle {
@@ -263,14 +239,22 @@ class ConvexPair {
     return *best;
   }
 
-  /// Where one region is as seen from the other one: inside if all of it is.
+  /// Where one region is as seen from the other one: inside if all corners are that may be its support vertices along
+  /// the other one's normals.
   Located placeOfRegion(bool of_a) const {
     const AxisSide &own = axes_.side(of_a), &other = axes_.side(!of_a);
+    const ConvexRing &corners = own.ring.ring, &faces = other.ring.ring;
     bool is_unsure = false;
-    for (std::uint32_t k = 0; k < own.ring.ring.size(); ++k) {
-      const Located place = placeOf(other.ring.inOwnFrame(own.ring.corner(k)), other, doubtful_);
-      if (place == Located::Outside) return place;
-      is_unsure = is_unsure || place == Located::Unsure;
+    RingRange range;
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      const Double2 n = other.ring.normal(k);
+      if (!corners.supportVertex(own.ring.inFrame(n), own.climbError(n), range)) return Located::Unsure;
+      for (std::uint32_t step = 0; step < range.count; ++step) {
+        const Double2 corner = own.ring.corner(corners.after(range.first, step));
+        const double area = cross(faces.edge(k), other.ring.inOwnFrame(corner) - faces.vertex(k));
+        if (area < -doubtful_) return Located::Outside;
+        is_unsure = is_unsure || !(area > doubtful_);
+      }
     }
     return is_unsure ? Located::Unsure : Located::Inside;
   }
@@ -291,7 +275,7 @@ class ConvexPair {
     const std::uint32_t before = side.ring.ring.previous(corner);
     const bool forward = side.outline.forward;
     const std::uint32_t arriving = forward ? before : corner, leaving = forward ? corner : before;
-    if (slope(arriving) < slope(leaving)) return {arriving, pathEdgeTo(side.polygon, side.outline, corner)};
+    if (slope(arriving) < slope(leaving)) return {arriving, edgesAt(side.polygon, side.outline.corners[corner]).before};
     return {leaving, side.outline.corners[corner]};
   }
 

@@ -57,13 +57,6 @@ const ConvexOutline& findConvexOutline(const PolygonData& polygon) {
   return *static_cast<const ConvexOutline*>(outline);
 }
 
-EdgePosition pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k) {
-  EdgePosition edge = outline.corners[k];
-  do edge = (edge > 0 ? edge : polygon.edgeEnd(0)) - 1;
-  while (polygon.path[edge] == polygon.path[edge + 1]);
-  return edge;
-}
-
 EdgePosition pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p) {
   const std::size_t next = k + 1 < outline.corners.size() ? k + 1 : 0, first = outline.forward ? k : next;
   if (outline.corners.size() + 1 == polygon.path.size()) return outline.corners[first];  // all vertices are corners

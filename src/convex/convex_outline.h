@@ -33,7 +33,4 @@ inline const ConvexOutline& convexOutlineOf(const PolygonData& polygon) {
 /// one nearest to p.
 EdgePosition pathEdge(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k, const Vec2& p);
 
-/// The edge of a convex region's path that leads to its corner k.
-EdgePosition pathEdgeTo(const PolygonData& polygon, const ConvexOutline& outline, std::size_t k);
-
 }  // namespace tricover::detail

@@ -42,22 +42,30 @@ class ConvexRing {
   /// Needs no next().
   Double2 edge(std::uint32_t k) const { return load2(vertices_[k + 1].data()) - load2(vertices_[k].data()); }
 
-  /// The support vertex along n, as plain doubles see it, in O(log n) steps: where edges begin to lead back, whose
-  /// directions turn one way from the first one on.
+  /// The support vertex along n, as plain doubles see it, in O(log n) steps. From a vertex that rises the highest one
+  /// is ahead, before any that rises no more or is lower; from one that falls it is before any that falls and is
+  /// higher.
   std::uint32_t supportVertex(Double2 n) const {
-    const double turn = turn_;
-    const Double2 sideways{-turn * n[1], turn * n[0]}, first = edge(0);
-    const bool is_far = turn * cross(first, sideways) < 0;  // by more than half a turn
-    std::uint32_t low = 0, count = size_;
-    while (count > 0) {
-      const std::uint32_t half = count / 2;
-      const Double2 e = edge(low + half);
-      const bool e_is_far = turn * cross(first, e) < 0;
-      const bool is_past = e_is_far != is_far ? e_is_far : turn * cross(sideways, e) >= 0;
-      low = is_past ? low : low + half + 1;
-      count = is_past ? half : count - half - 1;
+    const auto rises = [&](std::uint32_t k) { return dot(n, edge(k)) > 0; };
+    std::uint32_t low = 0, high = size_;
+    bool low_rises = rises(0);
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      const bool middle_rises = rises(middle), is_higher = dot(n, way(low, middle)) > 0;
+      if (low_rises ? !(middle_rises && is_higher) : !middle_rises && is_higher) {
+        high = middle;
+      } else {
+        low = middle;
+        low_rises = middle_rises;
+      }
     }
-    return low == size_ ? 0 : low;
+    return !low_rises ? low : high == size_ ? 0 : high;
+  }
+
+  /// The edge at the support vertex along n that leads down from it by less: from it, or to it.
+  std::uint32_t flatterEdge(Double2 n, std::uint32_t support) const {
+    const std::uint32_t before = previous(support);
+    return dot(n, edge(support)) >= -dot(n, edge(before)) ? support : before;
   }
 
   /// All vertices that may be the support vertex: those between an edge that certainly leads ahead and one that

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex/posed_ring.h"
+#include "convex/walk_to_nearest.h"
 #include "hierarchy/simd.h"
 
 namespace tricover::detail {
@@ -242,47 +242,9 @@ class FeatureSearch {
   FeaturePair ahead_;  ///< of features that weren't proven
 };
 
-/// The nearest features of convex polygons without straight vertices (cornersOf()) that are apart, as far as plain
-/// doubles see: a guess. As GJK does, it turns the axis between two vertices until these are the nearest, from the
-/// vertices on that face the other polygon's origin; those are found in O(log n) steps.
-//
-// Let n be an axis from a to b, v the support vertex of a along n, w that of b along -n, and x = w - v. The gap along
-// n is n . x. Its greatest value is the distance, and n grows towards it by turning towards x. Meanwhile v and w change
-// where n is across an edge that ends there. Which edge comes next, the directions of the two edges tell. Before it,
-//   x doesn't lead along the edge       the greatest gap was passed: it is between v and w;
-// and otherwise, with the edge's other end for v or w,
-//   x no longer leads along the edge    the greatest gap is across this edge;
-//   x still does                        it comes later.
-[[gnu::noinline]] FeaturePair walkToNearest(const PosedVertices& vertices) {
-  const PosedRing a(convexRing(vertices.a), vertices.pose_a), b(convexRing(vertices.b), vertices.pose_b);
-  const Double2 n = vertices.way();
-  std::uint32_t v = a.supportVertex(n), w = b.supportVertex(-n);
-  Double2 x = vertices.way(v, w);
-  const bool ccw = cross(n, x) > 0;
-  std::uint32_t next_v = a.next(v, ccw), next_w = b.next(w, ccw);
-  Double2 of_a = a.way(v, next_v), of_b = b.way(next_w, w);
-  for (std::size_t steps = vertices.a.path.size() + vertices.b.path.size(); steps > 0; --steps) {
-    const double turn = cross(of_a, of_b);
-    const bool is_a = ccw ? turn > 0 : turn < 0;
-    const Double2 edge = is_a ? of_a : of_b;
-    const bool is_beyond = ccw ? cross(edge, x) < 0 : cross(edge, x) > 0;
-    if (!(dot(edge, x) > 0)) return {is_beyond || dot(n, x) > 0 ? FeaturePair::kVertices : FeaturePair::kNone, v, w};
-    x -= edge;
-    const bool is_before = dot(edge, x) > 0;
-    if (!is_before && !is_beyond) return {};
-    if (!is_before && is_a) return {FeaturePair::kEdgeOfA, a.isForward(ccw) ? v : next_v, w};
-    if (!is_before) return {FeaturePair::kEdgeOfB, v, b.isForward(ccw) ? w : next_w};
-    if (is_a) {
-      v = next_v;
-      next_v = a.next(v, ccw);
-      of_a = a.way(v, next_v);
-    } else {
-      w = next_w;
-      next_w = b.next(w, ccw);
-      of_b = b.way(next_w, w);
-    }
-  }
-  return {};
+FeaturePair nearestByWalk(const PosedVertices& vertices) {
+  return walkToNearest({convexRing(vertices.a), vertices.pose_a}, {convexRing(vertices.b), vertices.pose_b},
+                       vertices.way(), [&](std::uint32_t v, std::uint32_t w) { return vertices.way(v, w); });
 }
 
 bool innerDiscsMeet(const PosedVertices& vertices) {
@@ -303,7 +265,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
   const bool discs_meet = innerDiscsMeet(vertices);
   const SmallPolygon *a = topOf(vertices.a).small_convex, *b = topOf(vertices.b).small_convex;
   if (a == nullptr || b == nullptr) {
-    found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(walkToNearest(vertices));
+    found.seem_to_meet = discs_meet || !FeatureSearch(vertices, found).prove(nearestByWalk(vertices));
     return found;
   }
   const UnitMap at = vertices.inUnits(vertices.defect);
@@ -312,7 +274,7 @@ NearestFeatures findNearestFeatures(const PosedVertices& vertices, const Feature
     if (guess.gap > -kFloatDoubt) {
       FeatureSearch search(vertices, found);
       // The walk makes the answer independent of whether discs have been built.
-      if (search.prove(guess) || (guess.gap > 0 && search.prove(walkToNearest(vertices)))) return found;
+      if (search.prove(guess) || (guess.gap > 0 && search.prove(nearestByWalk(vertices)))) return found;
     }
   }
   found.seem_to_meet = true;

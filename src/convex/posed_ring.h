@@ -13,6 +13,8 @@ class PosedRing {
  public:
   PosedRing(const ConvexRing& ring_, const Pose& pose, Double2 shift_ = Double2{})
       : PosedRing(ring_, load2(pose.data()), load2(pose.data() + 3), shift_) {}
+  PosedRing(const ConvexRing& ring_, Double2 column_x_, Double2 column_y_, Double2 shift_)
+      : ring(ring_), column_x(column_x_), column_y(column_y_), shift(shift_) {}
 
   Double2 corner(std::uint32_t k) const { return turned(ring.vertex(k)) + shift; }
   Double2 way(std::uint32_t from, std::uint32_t to) const { return turned(ring.way(from, to)); }
@@ -47,9 +49,6 @@ class PosedRing {
   const Double2 column_x, column_y, shift;
 
  private:
-  PosedRing(const ConvexRing& ring_, Double2 column_x_, Double2 column_y_, Double2 shift_)
-      : ring(ring_), column_x(column_x_), column_y(column_y_), shift(shift_) {}
-
   Double2 turned(Double2 p) const { return column_x * p[0] + column_y * p[1]; }
 };
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "convex/convex_ring.h"
+#include "convex/walk_to_nearest.h"
 #include "hierarchy/simd.h"
 #include "impact/impact_solvers.h"
 #include "impact/interval_cutter.h"
@@ -43,16 +43,16 @@ class Body {
   Body(const Body&) = delete;
 
   /// The farthest that it reaches along an axis from S, at both ends of an interval: of at most 16 vertices by all, of
-  /// others by those between an edge that certainly leads ahead at both ends and one that certainly leads back, near
-  /// the last that was the support vertex.
-  Double2 reach(const Places& p, Double2 nx, Double2 ny) {
+  /// others by those between an edge that certainly leads ahead at both ends and one that certainly leads back, looked
+  /// for from vertex `near` on.
+  Double2 reach(const Places& p, Double2 nx, Double2 ny, EdgePosition near) const {
     const Double2 mx = p.m00 * nx + p.m10 * ny, my = p.m01 * nx + p.m11 * ny;
     if (is_small_) {
       Double2 most = height(vertices_[0], mx, my);
       for (std::uint32_t k = 1; k < ring_.size(); ++k) most = larger(most, height(vertices_[k], mx, my));
       return most;
     }
-    RingRange range{support_, 0};
+    RingRange range{near, 0};
     const bool is_certain = ring_.supportVertex(
         [&](EdgePosition edge) {
           const Double2 e = stretched(ring_.edge(edge));
@@ -61,38 +61,31 @@ class Body {
         [&](Double2 up) { return up[0] > doubt_ && up[1] > doubt_; },
         [&](Double2 up) { return up[0] < -doubt_ && up[1] < -doubt_; }, range);
     if (!is_certain) range.count = ring_.size();
-    std::uint32_t v = support_ = range.first;
+    std::uint32_t v = range.first;
     Double2 most = height(mover.vertex(v), mx, my);
     while (--range.count > 0) most = larger(most, height(mover.vertex(v = ring_.next(v)), mx, my));
     return most;
   }
 
-  /// The outer normal of an edge of a small polygon, at the interval's begin.
+  /// The directions of its ring at the interval's begin, in the pair's length.
+  PosedRing posed(const Places& p) const {
+    const Double2 x{p.m00[0], p.m10[0]}, y{p.m01[0], p.m11[0]};
+    if (is_small_) return {ring_, x, y, Double2{}};
+    const Eigen::Matrix2d m = mover.scale * mover.polygon->inverse_unit * mover.stretch;
+    return {ring_, m(0, 0) * x + m(1, 0) * y, m(0, 1) * x + m(1, 1) * y, Double2{}};
+  }
+  /// The outer normal of an edge, at the interval's begin.
   Vec2 normal(const Places& p, EdgePosition edge) const {
-    const Double2 e = ring_.edge(edge);
-    const double x = p.turnedX(e[0], e[1])[0], y = p.turnedY(e[0], e[1])[0];
-    const bool is_mirrored = p.m00[0] * p.m11[0] < p.m10[0] * p.m01[0];
-    return (is_mirrored ? -ring_.turn() : ring_.turn()) * Vec2(y, -x).normalized();
+    const Double2 n = posed(p).normal(edge);
+    return Vec2(n[0], n[1]).normalized();
   }
-
-  /// The support edge along an axis, at the interval's begin: the flatter one at the support vertex.
-  std::uint32_t supportEdge(const Places& p, const Vec2& n) {
-    const Double2 m = inFrame(p, n);
-    return flatterEdge(m, support_ = ring_.supportVertex(m));
-  }
-  std::uint32_t flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) const {
-    return flatterEdge(inFrame(p, n), vertex);
+  /// The flatter edge at the support vertex along an axis, at the interval's begin.
+  EdgePosition flatterEdge(const Places& p, const Vec2& n, std::uint32_t vertex) const {
+    return ring_.flatterEdge(posed(p).inFrame(load2(n.data())), vertex);
   }
 
   MovingEdge edge(const Places& p, int lane, std::uint32_t k) const {
     return is_small_ ? MovingEdge(p, lane, vertices_[k], vertices_[k + 1]) : mover.ends(p, lane, k);
-  }
-
-  /// The edge beside one at the end that a point of it is nearer to.
-  std::uint32_t neighbour(const Places& p, std::uint32_t k, const Vec2& point) const {
-    const MovingEdge ends = edge(p, 0, k);
-    const double along = (2 * point - ends.from() - ends.to()).dot(ends.to() - ends.from());
-    return along > 0 ? ring_.next(k) : ring_.previous(k);
   }
 
   /// How far it reaches from the other one's pivot, at the interval's begin.
@@ -109,20 +102,11 @@ class Body {
   const double lever;  ///< how far it reaches from its own pivot
 
  private:
-  /// An axis in the ring's frame.
-  Double2 inFrame(const Places& p, const Vec2& n) const {
-    const Double2 m{p.m00[0] * n.x() + p.m10[0] * n.y(), p.m01[0] * n.x() + p.m11[0] * n.y()};
-    return is_small_ ? m : stretched(m);
-  }
   /// The stretch is its own transpose.
   Double2 stretched(Double2 v) const {
     if (mover.stretched == 0) return v;
     const Vec2 at = mover.stretch * Vec2(v[0], v[1]);
     return Double2{at.x(), at.y()};
-  }
-  std::uint32_t flatterEdge(Double2 n, std::uint32_t vertex) const {
-    const std::uint32_t before = ring_.previous(vertex);
-    return dot(n, ring_.edge(vertex)) >= -dot(n, ring_.edge(before)) ? vertex : before;
   }
   static Double2 height(const Vec2& p, Double2 mx, Double2 my) { return mx * p.x() + my * p.y(); }
   static double radiusOf(const Mover& mover) {
@@ -130,7 +114,6 @@ class Body {
   }
   ConvexRing ring_{nullptr, 0, 1};  ///< of at most 16 vertices, around the copies
   double doubt_;  ///< an edge's climb is wrong by less than 5 U of its length, which is at most twice the radius
-  std::uint32_t support_ = 0;
   bool is_small_;
   Vec2 vertices_[SmallPolygon::kMost + 1];  ///< of at most 16, all, and the first once more
 };
@@ -157,7 +140,8 @@ class ConvexAdvancement {
   /// By the features of the last step or, where these proved nothing, by new ones.
   std::optional<FirstContact> step() {
     const bool is_fresh = is_stale_;
-    const NearestPoints points = is_stale_ && !(areSmall() && guess()) ? walk() : nearestNow();
+    if (is_stale_ && !(areSmall() && guess())) walk();
+    const NearestPoints points = nearest(at_a_, at_b_, 0);
     // Written so that NaN is a touch.
     if (!(points.distance > touch_distance_)) {
       if (time_ == 0) return std::nullopt;
@@ -194,7 +178,6 @@ class ConvexAdvancement {
     if (pair_.a.rotates) at_a_ = at_end ? interval.a.atEnd() : pair_.a.places(time_, time_);
     at_b_ = at_end ? interval.b.atEnd() : pair_.b.places(time_, time_);
   }
-  NearestPoints nearestNow() const { return nearest(at_a_, at_b_, 0); }
   NearestPoints nearest(const Places& a, const Places& b, int lane) const {
     return NearestPoints(a_.edge(a, lane, edge_a_), b_.edge(b, lane, edge_b_), pair_.error);
   }
@@ -206,39 +189,29 @@ class ConvexAdvancement {
     const UnitMap map = at_a_.seen(at_b_, inverse).unitMap(pair_.b.scale * inverse);
     if (!(std::abs(map.tx) + std::abs(map.ty) < 0x1p60)) return false;  // floats may overflow
     const ConvexGap gap = convexGap(*pair_.a.tree->small_convex, *pair_.b.tree->small_convex, map);
-    face_ = gap.of_a ? a_.normal(at_a_, gap.edge) : Vec2(-b_.normal(at_b_, gap.edge));
-    edge_a_ = gap.of_a ? gap.edge : a_.flatterEdge(at_a_, face_, gap.vertex);
-    edge_b_ = gap.of_a ? b_.flatterEdge(at_b_, -face_, gap.vertex) : gap.edge;
+    take(gap.of_a ? FeaturePair{FeaturePair::kEdgeOfA, gap.edge, gap.vertex}
+                  : FeaturePair{FeaturePair::kEdgeOfB, gap.vertex, gap.edge});
     return true;
   }
 
-  /// Of others: from edges that face each other downhill, as long as a neighbour at the end that is nearest is nearer.
-  /// (The distance of two convex regions has no other valleys, nor need both ends move at once.)
-  NearestPoints walk() {
-    if (time_ == begin_) {
-      const Vec2 axis = at_a_.originTo(at_b_);
-      edge_a_ = a_.supportEdge(at_a_, axis);
-      edge_b_ = b_.supportEdge(at_b_, -axis);
-    }
-    NearestPoints best = nearestNow();
-    for (bool moved = true; moved && best.distance > touch_distance_;) {
-      moved = false;
-      for (const bool of_b : {false, true}) {
-        std::uint32_t& edge = of_b ? edge_b_ : edge_a_;
-        Body& body = of_b ? b_ : a_;
-        const std::uint32_t from = edge;
-        edge = body.neighbour(of_b ? at_b_ : at_a_, edge, of_b ? best.on_b : best.on_a);
-        const NearestPoints there = nearestNow();
-        if (there.distance < best.distance) {
-          best = there;
-          moved = true;
-        } else {
-          edge = from;
-        }
-      }
-    }
-    face_ = (best.on_b - best.on_a) / best.distance;
-    return best;
+  /// Of others: by their corners.
+  void walk() {
+    take(walkToNearest(a_.posed(at_a_), b_.posed(at_b_), load2(at_a_.originTo(at_b_).data()),
+                       [&](std::uint32_t v, std::uint32_t w) { return load2(way(v, w).data()); }));
+  }
+
+  /// From a's vertex to b's.
+  Vec2 way(std::uint32_t v, std::uint32_t w) const { return b_.edge(at_b_, 0, w).from() - a_.edge(at_a_, 0, v).from(); }
+
+  /// The axis that features face along, and an edge of either there. Where none were found, the last ones stay.
+  void take(const FeaturePair& found) {
+    if (found.kind == FeaturePair::kNone) return;
+    const bool is_edge_a = found.kind == FeaturePair::kEdgeOfA, is_edge_b = found.kind == FeaturePair::kEdgeOfB;
+    face_ = is_edge_a   ? a_.normal(at_a_, found.edge_a)
+            : is_edge_b ? Vec2(-b_.normal(at_b_, found.edge_b))
+                        : way(found.edge_a, found.edge_b).normalized();
+    edge_a_ = is_edge_a ? found.edge_a : a_.flatterEdge(at_a_, face_, found.edge_a);
+    edge_b_ = is_edge_b ? found.edge_b : b_.flatterEdge(at_b_, -face_, found.edge_b);
   }
 
   /// About how long it may take the nearest points to meet: by how fast they approach now, and how that may change.
@@ -271,7 +244,7 @@ class ConvexAdvancement {
     GapCutter cutter(pair_);
     const GapCutter::Axis n = axisOver(interval, axis);
     const Double2 gap = n.x * (interval.b.x - interval.a.x) + n.y * (interval.b.y - interval.a.y) -
-                        a_.reach(interval.a, n.x, n.y) - b_.reach(interval.b, -n.x, -n.y);
+                        a_.reach(interval.a, n.x, n.y, edge_a_) - b_.reach(interval.b, -n.x, -n.y, edge_b_);
     gap_ = gap[0];
     const bool apart = cutter.cutByGap(n, gap);
     const double time =

@@ -132,18 +132,16 @@ struct Given {
 /// line of its edge there.
 bool touches(const MovingBesideEdge& beside, const PosedPair& at, double time, double margin, const Given& a,
              const Given& b, Impact& impact) {
-  const std::uint32_t lowest = beside.lowest, before = beside.other.previous(lowest);
-  const double climb_after = dot(beside.in_other, beside.other.edge(lowest)),
-               climb_before = -dot(beside.in_other, beside.other.edge(before));
-  const bool is_forward = climb_after <= climb_before;
-  const std::uint32_t far = is_forward ? beside.other.next(lowest) : before;
+  const std::uint32_t lowest = beside.lowest, flatter = beside.other.flatterEdge(-beside.in_other, lowest);
+  const bool is_forward = flatter == lowest;
+  const std::uint32_t far = is_forward ? beside.other.next(lowest) : flatter;
   const double square = dot(beside.along, beside.along), slack = beside.error;
   const double part = dot(beside.along, beside.to_lowest + time * beside.path);
   double share = 0;  // of the edge that climbs less, from the lowest vertex on
   if (!(part >= -slack && part <= square + slack)) {
     const double part_far = dot(beside.along, beside.wayTo(at, far) + time * beside.path);
     const bool reaches = part < 0 ? part_far >= -slack : part_far <= square + slack;
-    if (!reaches || !(std::min(climb_after, climb_before) <= slack)) return false;
+    if (!reaches || !((is_forward ? 1 : -1) * dot(beside.in_other, beside.other.edge(flatter)) <= slack)) return false;
     share = std::clamp(((part < 0 ? 0 : square) - part) / (part_far - part), 0.0, 1.0);
   }
   const Given &own = beside.of_a ? a : b, &other = beside.of_a ? b : a;
@@ -152,8 +150,7 @@ bool touches(const MovingBesideEdge& beside, const PosedPair& at, double time, d
   const Double2 outwards = beside.outwards * (1 / std::sqrt(square));
   const Vec2 normal(outwards[0], outwards[1]);
   const EdgeIndex own_edge = givenEdge(own.polygon, own_corners, beside.edge, std::clamp(part / square, 0.0, 1.0));
-  const EdgeIndex other_edge =
-      givenEdge(other.polygon, corners, is_forward ? lowest : before, is_forward ? share : 1 - share);
+  const EdgeIndex other_edge = givenEdge(other.polygon, corners, flatter, is_forward ? share : 1 - share);
   impact.time = std::max(time, std::numeric_limits<double>::denorm_min());
   impact.point = other.motion.start * on_other + time * other.motion.shift - 0.5 * margin * normal;
   impact.normal = beside.of_a ? normal : Vec2(-normal);

@@ -91,6 +91,7 @@ void decompose(const Eigen::Matrix2d& linear, Mover& mover) {
   constexpr double kMostDefect = 0x1p-47;
   const double defect = Gram(load2(linear.data()), load2(linear.data() + 2)).defect();
   mover.linear = linear;
+  mover.stretch.setIdentity();
   if (defect <= kMostDefect) return;
   const Eigen::Matrix2d gram = linear.transpose() * linear;
   const double root = std::abs(linear.determinant());

@@ -67,18 +67,11 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
   };
   const auto off = [&](const Features& f) { return (f.points[other] - vertex).norm(); };
   const double on = 64 * space.noise();
-  const Features parted = at(gap.edge);
-  for (const std::size_t step : {std::size_t{1}, count - 1}) {
-    double least = off(parted);
-    for (std::size_t k = gap.edge; least > on;) {
-      k = (k + step) % count;
-      const Features beside = at(k);
-      if (off(beside) <= on) return beside;
-      if (!(off(beside) < least)) break;
-      least = off(beside);
-    }
+  for (std::size_t k = 0; k < count; ++k) {
+    const Features beside = at((gap.edge + k) % count);
+    if (off(beside) <= on) return beside;
   }
-  return parted;
+  return at(gap.edge);
 }
 
 /// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless

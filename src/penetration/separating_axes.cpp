@@ -98,6 +98,12 @@ std::vector<SupportGap> leastGaps(const PosedPair& pair, const SeparatingAxes* a
 
 }  // namespace
 
+/// No edge is longer than two radii.
+double AxisSide::climbError(Double2 n) const {
+  const Double2 lengths = absolute(n);
+  return kClimbError * (lengths[0] + lengths[1]) * (2.001 * polygon.radius) + kTiny;
+}
+
 SeparatingAxes::SeparatingAxes(const PosedPair& pair)
     : pair_(pair),
       size_(roundedUp<4>(pair.size())),
@@ -142,13 +148,10 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge,
   const double square = dot(outwards, outwards);
   // Otherwise its length has lost digits.
   if (!(square > 0x1p-400)) return Unsure;
-  const Double2 inwards = other.ring.inFrame(-outwards), lengths = absolute(outwards);
+  const Double2 inwards = other.ring.inFrame(-outwards);
   const ConvexRing& corners = other.ring.ring;
-  // No edge is longer than two radii.
   RingRange range{at, 0};
-  if (!corners.supportVertex(inwards, kClimbError * (lengths[0] + lengths[1]) * (2.001 * other.polygon.radius) + kTiny,
-                             range))
-    return Unsure;
+  if (!corners.supportVertex(inwards, other.climbError(outwards), range)) return Unsure;
   face.certain = range.count == 1;
   face.deepest = range.first;
   for (std::uint32_t v = range.first; --range.count > 0;) {

@@ -54,5 +54,28 @@ TEST(ConvexRing, FindsTheSupportVertex) {
   EXPECT_GT(doubtful, count / 20);
 }
 
+/// Edges that are parallel but for rounding, the first one among them: all cross products of these two numbers'
+/// multiples are whole, and far below what doubles round theirs by.
+TEST(ConvexRing, FindsTheSupportVertexOfNearlyStraightChains) {
+  Random random(32);
+  const Vec2 step(4807526976, 2971215073),
+      first(7778742049, 4807526976);  // Fibonacci numbers: their cross product is 1
+  const int count = scaledCount(4000);
+  for (int i = 0; i < count; ++i) {
+    const int edges = random.integer(2, 20);
+    Ring vertices{Vec2(0, 0)};
+    for (int k = 0; k < edges; ++k) vertices.push_back(vertices.back() + first + k * step);
+    vertices.emplace_back(-1e11, 1e11);
+    std::rotate(vertices.begin(), vertices.begin() + random.integer(0, edges + 1), vertices.end());
+    const std::size_t size = vertices.size();
+    vertices.push_back(vertices.front());
+    const Vec2 n = direction(random.real(0, 6.3));
+    double highest = n.dot(vertices[0]);
+    for (const Vec2& v : vertices) highest = std::max(highest, n.dot(v));
+    const ConvexRing ring(vertices.data(), size, 1);
+    ASSERT_NEAR(n.dot(vertices[ring.supportVertex(Double2{n.x(), n.y()})]), highest, 1) << i;
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
+    ("src/convex/convex_ring.h", "low_rises ? !(middle_rises && is_higher)", "low_rises ? !middle_rises", "convex ring: a vertex that rises again beyond the lowest one"),
     ("src/convex/nearest_features.cpp", "is_ahead = !(height > -0.25 * near);", "is_ahead = false;", "convex nearest: a guess taken for proven"),
     ("src/convex/nearest_features.cpp", "distance > kSure * size &&", "distance > 0 &&", "convex nearest: an axis that rounding hides"),
     ("src/convex/nearest_features.cpp", "foot.is_left != has_left", "(has_left || !foot.is_left)", "convex nearest: a vertex inside of an edge taken for one outside"),
