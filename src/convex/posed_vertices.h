@@ -64,10 +64,10 @@ class PosedVertices : public PosedPair {
   }
 
   /// Two edges as doubles see them, from a's translation.
-  struct Ends {
+  struct EdgePairEnds {
     Double2 a1, a2, b1, b2;
   };
-  Ends ends(EdgePosition i, EdgePosition j) const {
+  EdgePairEnds ends(EdgePosition i, EdgePosition j) const {
     const Vec2 *p = a.path.data() + i, *q = b.path.data() + j;
     return {mapped(columns_a_, p[0]), mapped(columns_a_, p[1]), mapped(columns_b_, q[0]) + shift_,
             mapped(columns_b_, q[1]) + shift_};

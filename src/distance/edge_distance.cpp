@@ -64,7 +64,7 @@ EdgeDistances::EdgeDistances(const PosedVertices& vertices) : PosedVertices(vert
 }
 
 EdgeDistances::View EdgeDistances::view(EdgePosition i, EdgePosition j) const {
-  const Ends e = ends(i, j);
+  const EdgePairEnds e = ends(i, j);
   View v;
   const auto put = [&v](const Beside& side, int k) {
     store2(v.square + k, side.square);
@@ -136,7 +136,7 @@ EdgeDistance EdgeDistances::at(const View& v, EdgePosition i, EdgePosition j, co
 }
 
 bool EdgeDistances::cross(const PosedVertices& vertices, EdgePosition i, EdgePosition j, EdgeDistance& point) {
-  const Ends e = vertices.ends(i, j);
+  const EdgePairEnds e = vertices.ends(i, j);
   const double unsure = kProductError * vertices.size() * vertices.size();
   const Double2 u = e.a2 - e.a1, v = e.b2 - e.b1;
   const auto area = [](Double2 p, Double2 q) { return p[0] * q[1] - p[1] * q[0]; };

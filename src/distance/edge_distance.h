@@ -45,7 +45,7 @@ class EdgeDistances : public PosedVertices {
     bool clear;        ///< whether they certainly don't
   };
   Bounds bounds(EdgePosition i, EdgePosition j) const {
-    const Ends e = ends(i, j);
+    const EdgePairEnds e = ends(i, j);
     const Beside of_a = beside(e.a2 - e.a1, e.b1 - e.a1, e.b2 - e.a1);
     if (b.isPoint()) {  // which crosses nothing
       const double distance = std::sqrt(of_a.square[0]);

@@ -29,10 +29,10 @@ struct EdgeInUnits {
 
   double half() const { return 0.5 * length; }
   /// A path across its line and along it, from its middle.
-  struct Beside {
+  struct AsideAlong {
     Double2 aside, along;
   };
-  Beside beside(const VertexPath& path) const {
+  AsideAlong beside(const VertexPath& path) const {
     const Double2 rx = path.x - x, ry = path.y - y;
     return {ux * ry - uy * rx, ux * rx + uy * ry - half()};
   }

@@ -77,12 +77,12 @@ class BoundaryLines {
   }
 
   /// A direction in which a line leaves a point, and the sides, seen along it, where free translations may be.
-  struct Ray {
+  struct LeavingLine {
     double angle;
     bool left, right;
   };
   /// Adds the rays of the lines through a point, and reduces `room` to keep clear of the other lines and of ends.
-  void addRays(const Vec2& p, std::vector<Ray>& rays, double& room) const {
+  void addRays(const Vec2& p, std::vector<LeavingLine>& rays, double& room) const {
     for (const Line& line : lines_) {
       const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
       if (apart > 2 * resolution_) {

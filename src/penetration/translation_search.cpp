@@ -275,7 +275,7 @@ class PartingSearch {
     std::sort(rays_.begin(), rays_.end(), [](const auto& r, const auto& q) { return r.angle < q.angle; });
     bool resolved = true;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-      const BoundaryLines::Ray &ray = rays_[i], &next = rays_[i + 1 < rays_.size() ? i + 1 : 0];
+      const BoundaryLines::LeavingLine &ray = rays_[i], &next = rays_[i + 1 < rays_.size() ? i + 1 : 0];
       if (!ray.left || !next.right) continue;
       const double gap = next.angle - ray.angle + (i + 1 < rays_.size() ? 0 : 2 * kPi);
       const double middle = ray.angle + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
@@ -308,7 +308,7 @@ class PartingSearch {
   std::size_t tries_ = 0;          ///< cells and translations
   std::vector<MeetingEdges> met_;  ///< edges that met after some translations, the last first
   std::vector<PossibleLimit> limits_;
-  std::vector<BoundaryLines::Ray> rays_;
+  std::vector<BoundaryLines::LeavingLine> rays_;
   std::vector<BoundaryLines::Line> all_segments_;
   Segments segments_;  ///< near the cell
 };

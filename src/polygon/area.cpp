@@ -42,7 +42,7 @@ struct RisingEdge {
 };
 
 /// An edge within a slab.
-struct Side {
+struct SlabEdge {
   const RisingEdge* edge;
   double bottom, top;  ///< its x there
 
@@ -71,9 +71,9 @@ Moments leftOf(double x, double y, double x_above, double y_above) {
 /// Slabs between neighbouring heights of vertices, from below. Their sides, from left to right, change places where
 /// they cross, one pair after another; so a side that is taken for left of another one by mistake is so near to it
 /// that it matters as little as rounding does.
-class Sweep {
+class AreaSweep {
  public:
-  explicit Sweep(const PolygonData& polygon) : fill_(polygon.fill), edges_(risingEdges(polygon)) {
+  explicit AreaSweep(const PolygonData& polygon) : fill_(polygon.fill), edges_(risingEdges(polygon)) {
     std::sort(edges_.begin(), edges_.end(),
               [](const RisingEdge& p, const RisingEdge& q) { return p.low.y() < q.low.y(); });
     std::vector<double> heights;
@@ -88,10 +88,10 @@ class Sweep {
 
  private:
   void sweepSlab(double bottom, double top) {
-    const auto ends = [&](const Side& side) { return side.edge->high.y() <= bottom; };
+    const auto ends = [&](const SlabEdge& side) { return side.edge->high.y() <= bottom; };
     sides_.erase(std::remove_if(sides_.begin(), sides_.end(), ends), sides_.end());
     for (; next_ < edges_.size() && edges_[next_].low.y() <= bottom; ++next_) sides_.push_back({&edges_[next_], 0, 0});
-    for (Side& side : sides_) side.bottom = side.edge->xAt(bottom), side.top = side.edge->xAt(top);
+    for (SlabEdge& side : sides_) side.bottom = side.edge->xAt(bottom), side.top = side.edge->xAt(top);
     sort();
     double part = 0;
     for (std::size_t left; (left = nextCrossing()) < sides_.size();) {
@@ -105,11 +105,11 @@ class Sweep {
 
   /// By insertion: most sides stand as they did in the slab below.
   void sort() {
-    const auto isLeft = [](const Side& p, const Side& q) {
+    const auto isLeft = [](const SlabEdge& p, const SlabEdge& q) {
       return p.bottom != q.bottom ? p.bottom < q.bottom : p.top < q.top;
     };
     for (std::size_t i = 1; i < sides_.size(); ++i) {
-      const Side side = sides_[i];
+      const SlabEdge side = sides_[i];
       std::size_t place = i;
       for (; place > 0 && isLeft(side, sides_[place - 1]); --place) sides_[place] = sides_[place - 1];
       sides_[place] = side;
@@ -118,7 +118,7 @@ class Sweep {
 
   /// Where a side meets the next one, as a part of the slab's height.
   double partOf(std::size_t left) const {
-    const Side &p = sides_[left], &q = sides_[left + 1];
+    const SlabEdge &p = sides_[left], &q = sides_[left + 1];
     const double below = q.bottom - p.bottom, above = p.top - q.top;
     return std::clamp(below / (below + above), 0.0, 1.0);
   }
@@ -137,7 +137,7 @@ class Sweep {
     const double y = (1 - from) * bottom + from * top, y_above = (1 - until) * bottom + until * top;
     Moments sum;
     int winding = 0;
-    for (const Side& side : sides_) {
+    for (const SlabEdge& side : sides_) {
       const int right = winding + side.edge->winding;
       const int is_end = isInside(fill_, winding) - isInside(fill_, right);
       if (is_end != 0) sum.add(leftOf(side.xAt(from), y, side.xAt(until), y_above), is_end);
@@ -149,7 +149,7 @@ class Sweep {
   const Fill fill_;
   std::vector<RisingEdge> edges_;
   std::size_t next_ = 0;  ///< the first edge that begins above
-  std::vector<Side> sides_;
+  std::vector<SlabEdge> sides_;
   Moments sum_;
 };
 
@@ -189,7 +189,7 @@ bool hasArea(const PolygonData& polygon) {
 double Polygon::area() const {
   if (isComplement()) return std::numeric_limits<double>::infinity();
   const double unit = data_->unit;
-  return std::max(0.0, detail::Sweep(*data_).sum().area) * unit * unit;
+  return std::max(0.0, detail::AreaSweep(*data_).sum().area) * unit * unit;
 }
 
 Vec2 Polygon::centroid() const {
@@ -197,7 +197,7 @@ Vec2 Polygon::centroid() const {
   for (const Vec2& vertex : data_->path) box.extend(vertex);
   const Vec2 middle = 0.5 * box.min() + 0.5 * box.max();
   if (isComplement() || !detail::hasArea(*data_)) return middle;
-  const detail::Moments sum = detail::Sweep(*data_).sum();
+  const detail::Moments sum = detail::AreaSweep(*data_).sum();
   if (!(sum.area > 0)) return middle;
   const Vec2 center = data_->origin + Vec2(sum.x, sum.y) / sum.area * data_->unit;
   return center.allFinite() ? Vec2(center.cwiseMax(box.min()).cwiseMin(box.max())) : middle;
