@@ -11,7 +11,7 @@
 
 namespace tricover::detail {
 
-/// What a gap may be too large by, computed in floats: relative to the sum of what it is computed from, the query's
+/// A gap that is computed in floats may be too large by this share of what it is computed from: the sum of the query's
 /// coordinates and extents in the block's scale, |x| + |y| + along + across + 4. There a block's boxes are within 1 of
 /// the origin in either coordinate, and no larger than 1.
 ///
@@ -24,9 +24,9 @@ namespace tricover::detail {
 constexpr double kFloatRoundoff = 0x1p-24, kGapRounding = 0x1p-19;
 static_assert(kGapRounding >= 3 * 9 * kFloatRoundoff && 6 * 2 + 9 * 1 <= 9 * 4);
 
-/// What doubles lose between b's points, as its hierarchy has them, and a's units, or on the way back, in any direction
-/// and in U times a's unit. c is b's S in a's units; no point of either polygon is more than a unit from its own S.
-/// There:
+/// Doubles lose so much between b's points, as its hierarchy has them, and a's units, or on the way back: in any
+/// direction, and in U times a's unit. c is b's S in a's units; no point of either polygon is more than a unit from its
+/// own S. There:
 ///   18 for the entries of R, wrong by 9U each, on two coordinates of two; 1 for the point, rounded once from S;
 ///   4 for products and sum; 2 |c| + 3 for the shifts to c and to a block's origin; 6 for the box's centre and axis;
 ///   6 |c| for c itself, turned back by R_a^-1, or less by R_a^T.
@@ -67,7 +67,7 @@ struct UnitMap {
 
   double r00, r01, r10, r11, tx, ty, scale;
   double error;  ///< a mapped point is no farther than this from the true one
-  /// What a gap may be too large by, relative to what it is computed from. A box is taken for a rectangle after a map
+  /// A gap may be too large by this share of what it is computed from. A box is taken for a rectangle after a map
   /// that is rigid only within a defect: its axis' length and its own extents are wrong by a defect each, the angle of
   /// its sides by two. Twice these four.
   double rounding = kGapRounding;
@@ -75,9 +75,9 @@ struct UnitMap {
   double inverse_unit = 1;  ///< a's
 };
 
-/// Of a pair in order, so that b's unit is at most a's: R by its columns, b's S at c. `center_error` is that of c in
-/// any direction, in a's frame; R and c are those of an inverse that misses the true one by `inverse_defect`, and R
-/// misses keeping lengths by `defect`.
+/// The map of a pair in order, whose unit of b is at most a's: R by its columns, b's S at c. `center_error` is that of
+/// c in any direction, in a's frame; R and c are those of an inverse that misses the true one by `inverse_defect`, and
+/// R misses keeping lengths by `defect`.
 inline UnitMap unitMapOf(const PolygonData& a, const PolygonData& b, Double2 r0, Double2 r1, Double2 c,
                          double center_error, double inverse_defect, double defect, double scale_defect) {
   assert(b.unit <= a.unit);

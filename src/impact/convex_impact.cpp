@@ -194,7 +194,7 @@ class ConvexAdvancement {
     return true;
   }
 
-  /// Of others: by their corners.
+  /// Where floats have no guess, both outlines are walked around.
   void walk() {
     take(walkToNearest(a_.posed(at_a_), b_.posed(at_b_), load2(at_a_.originTo(at_b_).data()),
                        [&](std::uint32_t v, std::uint32_t w) { return load2(way(v, w).data()); }));

@@ -141,7 +141,7 @@ void EdgeSides::comeFromOutside(Approach& approach, std::size_t operand, const V
   });
 }
 
-/// Of an edge that may meet this one between its ends.
+/// Adds the event of an edge, if that meets this one between its ends.
 void EdgeSides::addEvent(const LineMeeting& meeting, const SeenPoint& q, const SeenPoint& r) {
   if (meeting.at_v <= 0 || meeting.at_w >= 0) return;
   const ApproxPoint &v = line_.v.approx, &w = line_.w.approx;

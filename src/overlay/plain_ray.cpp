@@ -254,7 +254,7 @@ class RayCastAll : private RayCast {
     return line.error < 0x1p-4 && length_ * polygon_.unit > kLeastLength;
   }
 
-  /// What is on the right matters only along edges, which are in the region anyway.
+  /// The right side matters along edges alone, which are in the region anyway.
   bool isInside() const { return windings_.along > 0 || detail::isInside(polygon_.fill, windings_.left); }
 
   void meet(EdgePosition edge) {

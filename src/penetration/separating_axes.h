@@ -23,7 +23,7 @@ struct AxisSide {
     return Vec2(normal[0], normal[1]).normalized();
   }
 
-  /// What an edge's climb along a normal of the other outline, in the world, is off by, at most.
+  /// An edge's climb along a normal of the other outline, in the world, is off by this at most.
   double climbError(Double2 n) const;
 
   const PolygonData& polygon;
