@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
+#include "numbers/angle.h"
 #include "numbers/segment.h"
 
 namespace tricover::detail {
@@ -80,27 +82,53 @@ class BoundaryLines {
   struct LeavingLine {
     double angle;
     bool left, right;
+    double length = std::numeric_limits<double>::infinity();
   };
-  /// Adds the rays of the lines through a point, and reduces `room` to keep clear of the other lines and of ends.
-  void addRays(const Vec2& p, std::vector<LeavingLine>& rays, double& room) const {
+  /// Adds the rays of the lines through a point.
+  void addRays(const Vec2& p, std::vector<LeavingLine>& rays) const {
     for (const Line& line : lines_) {
-      const double apart = (nearestOnSegment(p, line.v, line.w) - p).norm();
-      if (apart > 2 * resolution_) {
-        room = std::min(room, apart / 2);
-        continue;
-      }
+      if (!passes(line, p)) continue;
       for (const Vec2& end : {line.v, line.w}) {
         const Vec2 ray = end - p;
         const double length = ray.norm();
         if (length <= 2 * resolution_) continue;
-        room = std::min(room, length / 2);
         const bool is_along = ray.dot(line.axis) > 0;
-        rays.push_back({std::atan2(ray.y(), ray.x()), is_along || line.both_sides, !is_along || line.both_sides});
+        const bool left = is_along || line.both_sides, right = !is_along || line.both_sides;
+        rays.push_back({std::atan2(ray.y(), ray.x()), left, right, length});
       }
     }
   }
 
+  /// The room between two rays of a point, `gap` apart: no line is in their sector up to twice as far, and neither ray
+  /// ends. At most `most`.
+  double roomBetween(const Vec2& p, const LeavingLine& from, const LeavingLine& to, double gap, double most) const {
+    double room = std::min({most, from.length / 2, to.length / 2});
+    for (const Line& line : lines_) {
+      if (passes(line, p)) continue;
+      Ends part = line;
+      const bool is_between = gap >= kPi || (cutLeftOf(part, p, from.angle, 1) && cutLeftOf(part, p, to.angle, -1));
+      if (is_between) room = std::min(room, (nearestOnSegment(p, part.v, part.w) - p).norm() / 2);
+    }
+    return room;
+  }
+
  private:
+  bool passes(const Line& line, const Vec2& p) const {
+    return (nearestOnSegment(p, line.v, line.w) - p).norm() <= 2 * resolution_;
+  }
+
+  /// Leaves of a segment what is on the left (side 1) or right (-1) of a ray of p, or as near to it as lines that pass
+  /// p are. False if nothing is.
+  bool cutLeftOf(Ends& part, const Vec2& p, double angle, double side) const {
+    const Vec2 up = side * Vec2(-std::sin(angle), std::cos(angle));
+    const double v = up.dot(part.v - p) + 2 * resolution_, w = up.dot(part.w - p) + 2 * resolution_;
+    if (v < 0 && w < 0) return false;
+    const Vec2 crossing = part.v + v / (v - w) * (part.w - part.v);
+    if (v < 0) part.v = crossing;
+    if (w < 0) part.w = crossing;
+    return true;
+  }
+
   /// Whether the shorter one lies on the longer one's line; if so, `into` becomes both.
   bool merged(Line& into, const Line& line) const {
     const bool longer = line.length > into.length;

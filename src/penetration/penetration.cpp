@@ -79,20 +79,8 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
 Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
   const Vec2 t = shortest.limit;
   const double noise = space.noise();
-  Vec2 at = t;
-  const PosedPair pair = space.at(at);
-  double least = std::numeric_limits<double>::infinity();
-  TranslationSpace::Segment nearest{};
-  for (double radius = 64 * noise; !std::isfinite(least) && std::isfinite(radius); radius *= 16)
-    space.forEachSegment(
-        pair, at, radius, [](const TranslationSpace::MeetingEdges&) { return true; },
-        [&](const TranslationSpace::Segment& segment) {
-          const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
-          if (apart < least) nearest = segment;
-          least = std::min(apart, least);
-          return true;
-        });
-  const bool is_on = least <= 64 * noise;
+  const auto [nearest, apart] = space.nearestSegment(t);
+  const bool is_on = apart <= 64 * noise;
   const EdgePosition edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
                      vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
   Features features = featuresOf(space, is_on ? t : nearestOnSegment(t, nearest.v, nearest.w), nearest.vertex_of_a,
@@ -144,7 +132,7 @@ bool findTranslation(const PosedPair& pair, const Vec2& limit, const Vec2& way, 
       return true;
     }
     step *= 2;
-  } while (std::isfinite(step) && (limit + step * way).norm() <= longest);
+  } while (std::isfinite(step) && (limit + step * way).stableNorm() <= longest);
   return false;
 }
 
@@ -172,7 +160,7 @@ Penetration straightOn(const PosedPair& pair, Penetration p, const SupportGap& h
     p.normal = hulls.normal;
     if (!findTranslation(pair, most * p.normal, p.normal, step, margin, p)) return noAnswer(p.normal);
   }
-  p.depth = std::max(least, p.translation.norm());
+  p.depth = std::max(least, p.translation.stableNorm());
   return p;
 }
 
@@ -267,6 +255,8 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   // Where they just touch no filter would tell that they are apart, and exact signs cost more than all the rest.
   if (!findTranslation(pair, shortest.limit * unit, way, 8 * space.noise() * unit, 0, result))
     return noAnswer(result.normal);
+  // Where lines cross at a small angle their crossing isn't known to the precision: what is proven to part them is.
+  if (!result.optimal) result.depth = std::max(result.depth, result.translation.stableNorm());
   result.point_a = space.frame.toWorld(features.points[0]);
   result.point_b = space.frame.toWorld(features.points[1]);
   result.edge_a = edgeAt(space, features, 0);

@@ -91,6 +91,7 @@ class PartingSearch {
         [&](const Cell& cell) {
           if (!isDone(cell)) divide(cell);
         });
+    reachSegment();
     best_.lower_bound = std::max(0.0, std::min(search_.lower(), search_.upper - resolution_ - best_error_));
     return best_;
   }
@@ -111,6 +112,18 @@ class PartingSearch {
     best_error_ = limit_error;
     best_.limit = limit;
     best_.parting = parting;
+  }
+
+  /// A limit that a clearance gave may end before the regions touch. Nothing changes up to the nearest segment, so that
+  /// much shorter is free, too. Few steps do unless the way grazes the segment.
+  void reachSegment() {
+    constexpr int kMostSteps = 16;
+    if (best_.limit != best_.parting) return;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double apart = space_.nearestSegment(best_.limit).apart, length = best_.limit.norm();
+      if (!(apart > resolution_)) return;
+      improve(std::max(1 - (apart - resolution_ / 2) / length, 0.0) * best_.limit, best_.parting);
+    }
   }
 
   void divide(const Cell& cell) {
@@ -267,10 +280,10 @@ class PartingSearch {
 
   /// Samples each sector between the lines through a point. False if a sector is too narrow to be certain of it: a free
   /// translation found there counts, but one that is not free may be so for lines that count as one.
-  bool tryLimit(const PossibleLimit& limit, double room) {
+  bool tryLimit(const PossibleLimit& limit, double most_room) {
     const Vec2& p = limit.p;
     rays_.clear();
-    lines_.addRays(p, rays_, room);
+    lines_.addRays(p, rays_);
     if (rays_.empty()) rays_.push_back({std::atan2(-p.y(), -p.x()), true, true});
     std::sort(rays_.begin(), rays_.end(), [](const auto& r, const auto& q) { return r.angle < q.angle; });
     bool resolved = true;
@@ -279,6 +292,7 @@ class PartingSearch {
       if (!ray.left || !next.right) continue;
       const double gap = next.angle - ray.angle + (i + 1 < rays_.size() ? 0 : 2 * kPi);
       const double middle = ray.angle + gap / 2, width = std::sin(std::min(gap, kPi) / 2);
+      const double room = lines_.roomBetween(p, ray, next, gap, most_room);
       resolved &= room * width >= 3 * resolution_;
       if (room * width < 3 * noise_) continue;
       const Vec2 way(std::cos(middle), std::sin(middle));
@@ -287,7 +301,9 @@ class PartingSearch {
       for (double step = noise_ / width; step < room; step *= 2) {
         Vec2 beside = p + step * way;
         if (!isFree(beside)) continue;
-        improve(p, beside, limit.error);
+        // Lines that count as one may bar the sector's tip: then it begins where it is first free.
+        const bool from_tip = step * width <= 4 * noise_;
+        improve(from_tip ? p : beside, beside, limit.error);
         return resolved;
       }
       improve(sample, sample);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hierarchy/inner_discs.h"
@@ -165,6 +166,21 @@ PosedPair TranslationSpace::at(Vec2& t) {
   t = ((translation - shift_) - shift_rest_) / frame.unit();
   pose_b_.translation() = translation;
   return PosedPair(a_.polygon, pose_a_, b_.polygon, pose_b_);
+}
+
+TranslationSpace::NearestSegment TranslationSpace::nearestSegment(const Vec2& t) {
+  Vec2 at_t = t;
+  const PosedPair pair = at(at_t);
+  NearestSegment nearest{{}, std::numeric_limits<double>::infinity()};
+  for (double radius = 64 * noise_; !std::isfinite(nearest.apart) && std::isfinite(radius); radius *= 16)
+    forEachSegment(
+        pair, at_t, radius, [](const MeetingEdges&) { return true; },
+        [&](const Segment& segment) {
+          const double apart = (nearestOnSegment(t, segment.v, segment.w) - t).norm();
+          if (apart < nearest.apart) nearest = {segment, apart};
+          return true;
+        });
+  return nearest;
 }
 
 TranslationSpace::MeetingEdges TranslationSpace::meetingOf(EdgePosition i, EdgePosition j) const {

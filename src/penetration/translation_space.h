@@ -123,6 +123,13 @@ class TranslationSpace {
     });
   }
 
+  struct NearestSegment {
+    Segment segment;
+    double apart;
+  };
+  /// Of all that may bound free translations the one that is nearest to t.
+  NearestSegment nearestSegment(const Vec2& t);
+
   /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once.
   bool areFew() const { return are_few_; }
   /// The convolution segments within `radius` of 0, by the directions of edges: it takes what those of all of the plane

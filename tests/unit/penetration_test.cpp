@@ -321,6 +321,32 @@ TEST(Sizes, FromTinyToHuge) {
   }
 }
 
+/// Squares of such lengths overflow or underflow. Where the way out ends between lines at a small angle, or goes on for
+/// a margin, lengths in the world decide.
+TEST(Sizes, OfWhatIsNotConvexTheAnswerIsScaled) {
+  int not_optimal = 0;
+  for (int i = 0; i < scaledCount(200); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double slope = std::pow(10, random.real(-5, -1)), size = slope * random.real(0.01, 0.3);
+    const Polygon notched({{{2, 2 * slope}, {0, 0}, {2, -2 * slope}, {2, -2}, {-2, -2}, {-2, 2}, {2, 2}}});
+    const Polygon peg({scaled(comb(2, 0.5, 0.25, 1), size)});
+    const Pose pose_a = pose(random.real(0, 6), 0, 0), pose_b = pose(random.real(0, 6), 0.2 * size / slope, 0);
+    const double margin = random.coin() ? 0 : size * random.unit();
+    const auto p = penetration(notched, pose_a, peg, pose_b, {margin});
+    if (!p) continue;
+    not_optimal += !p->optimal;
+    for (const double by : {0x1p600, 0x1p-400}) {
+      Pose far = pose_b;
+      far.translation() *= by;
+      const auto q = penetration(notched.scaled(by), pose_a, peg.scaled(by), far, {margin * by});
+      ASSERT_TRUE(q);
+      EXPECT_EQ(q->depth, p->depth * by) << i;
+      EXPECT_EQ(q->lower_bound, p->lower_bound * by) << i;
+    }
+  }
+  EXPECT_GE(not_optimal, scaledCount(200) / 4);
+}
+
 TEST(Sizes, WhatOverflowsIsNoAnswer) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const Polygon a({rectangle(-kLargest, -kLargest, kLargest, kLargest)});

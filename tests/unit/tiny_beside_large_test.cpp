@@ -253,6 +253,76 @@ TEST(Contacts, OfAFlatTriangleAreOnIt) {
   EXPECT_TRUE(isCommon(c, found[0]));
 }
 
+/// The shortest way to where all vertices of a comb are within both walls of a notch: straight off one wall, or to the
+/// corner of that region.
+double wayIntoNotch(const Case& c, double slope) {
+  const Pose back = c.pose_b.inverse(Eigen::Isometry) * c.pose_a;
+  const Vec2 inwards[] = {Vec2(slope, -1).normalized(), Vec2(slope, 1).normalized()};
+  double outside[] = {-1e300, -1e300};
+  for (const Vec2& v : c.a.rings()[0])
+    for (int i = 0; i < 2; ++i) outside[i] = std::max(outside[i], -inwards[i].dot(back * v));
+  if (std::max(outside[0], outside[1]) <= 0) return 0;
+  for (int i = 0; i < 2; ++i)
+    if (outside[i] > 0 && outside[1 - i] <= outside[i] * inwards[0].dot(inwards[1])) return outside[i];
+  return std::hypot((outside[0] + outside[1]) / (2 * inwards[0].x()), (outside[1] - outside[0]) / (2 * inwards[1].y()));
+}
+
+/// Found by the soak: other edges of the comb run along the notch's walls, and near its bottom the way is narrower than
+/// the search's resolution. The depth was the way out of the whole block, 1e8 times as long, and the lower bound, too.
+TEST(Penetration, OfATinyCombInAnAcuteNotchLeadsIntoTheNotch) {
+  int steep = 0, deep = 0;
+  for (int i = 0; i < scaledCount(300); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double slope = std::pow(10, random.real(-5, -0.5)), size = slope * std::pow(10, random.real(-6, -0.5));
+    const Polygon block({{{20, 20 * slope}, {0, 0}, {20, -20 * slope}, {20, -20}, {-20, -20}, {-20, 20}, {20, 20}}});
+    Case c{Polygon({scaled(comb(random.integer(2, 4), 0.5, 0.25, 1), size)}), pose(random.real(0, 6), 0, 0), block,
+           pose(random.coin() ? 0 : random.real(0, 6), 0, 0)};
+    c.pose_a.translation() = c.pose_b * Vec2(random.real(-0.2, 0.2) * size / slope, 0);
+    const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+    if (!p) continue;
+    const double way = wayIntoNotch(c, slope), precision = 1e-12 * c.a.radius() + 1e-13 * c.b.radius();
+    steep += slope < 1e-3, ++deep;
+    EXPECT_LE(p->lower_bound, way + precision) << i;
+    EXPECT_GE(p->depth, way - precision) << i;
+    EXPECT_LE(p->depth - p->lower_bound, (p->optimal ? 2 : 2 / slope) * precision) << i;
+  }
+  EXPECT_GE(steep, scaledCount(300) / 4);
+  EXPECT_GE(deep, scaledCount(300) / 2);
+}
+
+/// Found by the soak: rings of a size of some resolutions of the search, beside a line. A clearance gave the limit,
+/// which was 34 roundings short of the line.
+TEST(Penetration, OfTinyRingsBesideALongLineEndsOnIt) {
+  const Polygon line({{{-0x1.fd24ff7976c34p36, -0x1.10733d8bfea8fp38},
+                       {-0x1.fd24ff7976c34p35, -0x1.10733d8bfea8fp37},
+                       {-0x1.7ddbbf9b19127p36, -0x1.98acdc51fdfd7p37},
+                       {-0x1.fd24ff7976c34p35, -0x1.10733d8bfea8fp37},
+                       {0, 0}}});
+  const Polygon rings({{{-0x1.5609e9536c2f5p-2, -0x1.ceb803743d7f2p-2},
+                        {-0x1.65399c0b1fd2fp-1, 0x1.e9635cc197db1p-1},
+                        {-0x1.ca0cff2b2404ep-3, 0x1.370a90c08d96dp0}},
+                       {{0x1.267ba9defb6fp-1, -0x1.48e27e8668038p-1},
+                        {-0x1.ba116cdc7108cp-1, -0x1.e6dc22786d852p-4},
+                        {-0x1.93ee7fe71cebp-4, -0x1.95e98ea5c0559p0},
+                        {0x1.251e633626073p-2, -0x1.27eff87bb5cp0},
+                        {0x1.6262aa486c606p-2, -0x1.96ecdbf4cc208p-4},
+                        {0x1.7143e2b7eb097p-1, -0x1.8550c81603e15p-2}},
+                       {{0x1.a3d5ffde56761p-8, -0x1.67ddaee7e494dp-1},
+                        {-0x1.1ff769cb7dc9fp0, -0x1.e110b2e438cd5p-2},
+                        {-0x1.6c464f42f79d8p-1, 0x1.b54f6ac9938ddp-1},
+                        {-0x1.d116ba3ac9dc8p-4, 0x1.ae980fdd025f9p-1}}},
+                      FillRule::NonZero);
+  const Pose pose_line =
+      pose(-0x1.ed011330fb733p-1, -0x1.14997505987c8p-2, 0, 0x1.1487555176532p-2, -0x1.ecf0f27970c3fp-1, 0);
+  const Pose pose_rings = pose(-0x1.f22597e2a5b88p-1, 0x1.d92e1f86b305p-3, -0x1.3025354ed7fb9p-33, -0x1.d92e1f86b305p-3,
+                               -0x1.f22597e2a5b88p-1, -0x1.02eec0efe7ee2p-32);
+  const auto p = penetration(line, pose_line, rings, pose_rings);
+  ASSERT_TRUE(p);
+  const Polygon edge({{line.edgeStart(p->edge_a), line.edgeEnd(p->edge_a), line.edgeEnd(p->edge_a)}});
+  const auto off = distance(edge, pose_line, Polygon({Ring(3, p->point_a)}), kIdentity);
+  EXPECT_LE(off.distance, 1e-13 * line.radius());
+}
+
 /// A point at the outline of a tiny polygon at the frame's origin, itself far from its own: its translation is rounded
 /// by more than all other coordinates.
 Case farPointOnTinyPolygon(Random& random) {
