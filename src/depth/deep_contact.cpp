@@ -15,8 +15,10 @@
 namespace tricover::detail {
 namespace {
 
-/// From an edge of a region that has its inside on one side of each alone; and from the next one, at their vertex.
+/// From an edge of a region that has its inside on one side of each alone; and from the next one, at their vertex. A
+/// piece that lies within the region touches no edge.
 std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact& touch, double precision) {
+  if (touch.edge_a == -1) return {touch.normal};
   const PolygonData& data = region.data();
   const EdgePosition edge = data.edgePosition(touch.edge_a);
   std::vector<Vec2> normals;

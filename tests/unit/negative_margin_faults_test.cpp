@@ -250,5 +250,37 @@ TEST(NegativeMarginFaults, MarginsAddUp) {
   EXPECT_TRUE(scene.collides(box(2, 2), at(-1.2985, 0), {-0.001, 0}));
 }
 
+/// Found by the soak: pieces of an outline that lie within the other region, but no deeper than rounding tells, touch
+/// no edge of it: their search asked for the direction of an edge that there isn't.
+TEST(NegativeMarginFaults, APieceWithinTheRegionHasADirectionWithoutAnEdge) {
+  const Polygon a({{{0x1.a239dff4cfcd8p-2, 0x1.8fef4206de0a5p-4},
+                    {-0x1.420e05065e1b5p-2, 0x1.1cf081d2bcebep-2},
+                    {-0x1.fa97d5dcdf7f5p-3, -0x1.9dd03b9b16043p-5},
+                    {-0x1.7113a1ad02c7fp-3, -0x1.846490b9826cfp-2},
+                    {-0x1.711111b2020e4p-3, -0x1.8464e2abe95b1p-2},
+                    {-0x1.710e81b70154ap-3, -0x1.8465349e50493p-2},
+                    {-0x1.710e81b6b823cp-3, -0x1.8465349e32a2bp-2},
+                    {-0x1.710e81b66ef2fp-3, -0x1.8465349e14fc1p-2}}},
+                  FillRule::NonZero);
+  const Polygon b({{{-0.75, 1}, {0.25, -1}, {0.75, 0}, {-0.25, 0.5}}}, FillRule::NonZero);
+  Motion way_a, way_b;
+  way_a.start = pose(-0x1.c2b079c100784p-1, -0x1.e5e4b6dcee9bcp-2, 0x1.37616faf62ec5p+17, 0x1.e5e4b6dcee9bcp-2,
+                     -0x1.c2b079c100784p-1, -0x1.1d362f2fd969p+17);
+  way_a.shift = {0x1.7bfb7e4653d77p-4, -0x1.eb10b1aea42a4p-5};
+  way_a.angle = 0x1.39529d9517ac8p+4;
+  way_a.pivot = {-0x1.d747eae4f4858p-6, -0x1.28dbae7afbdap-10};
+  way_b.start.translation() = Vec2(0x1.37636eab0824cp+17, -0x1.1d361a8aaeea3p+17);
+  way_b.shift = {-0x1.8d39e261b6ce8p+3, 0x1.628c8381f32eep+1};
+  ImpactOptions options;
+  options.margin = -0x1.c70dc6a293ff3p-18;
+  options.time_error = 0x1.7397b3ea2affbp-30;
+  const auto impact = timeOfImpact(a, way_a, b, way_b, options);
+  ASSERT_TRUE(impact);
+  const Pose then_a = way_a.at(impact->time), then_b = way_b.at(impact->time);
+  EXPECT_TRUE(collide(a, then_a, b, then_b, {options.margin + 1e-7, 0}));
+  for (const double share : {0.1, 0.5, 0.9, 0.99})
+    EXPECT_FALSE(collide(a, way_a.at(share * impact->time), b, way_b.at(share * impact->time), {options.margin, 0}));
+}
+
 }  // namespace
 }  // namespace tricover::support
