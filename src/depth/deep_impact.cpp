@@ -90,6 +90,7 @@ class DeepImpact {
   explicit DeepImpact(const DeepQuestion& question) : of_(question), near_(kDeepEnough * question.precision) {}
 
   std::optional<Impact> find() {
+    if (of_.depth(0).upper_bound >= of_.allowed) return impactAt(0);
     if (of_.asks_a && of_.asks_b)
       pieces_.push({0, false, {}});
     else
@@ -108,8 +109,8 @@ class DeepImpact {
     if (leaves(piece)) return;
     const double time = piece.least;
     const Measured deep = measure(piece);
-    // After a proven interval an impact is as early as ordinary ones are.
-    if (deep.most >= of_.allowed - (time > 0 ? near_ : 0)) {
+    // Later than at the start an impact is as early as ordinary ones are.
+    if (time > 0 && deep.most >= of_.allowed - near_) {
       pieces_.upper = std::min(pieces_.upper, time);
       return;
     }

@@ -282,5 +282,30 @@ TEST(NegativeMarginFaults, APieceWithinTheRegionHasADirectionWithoutAnEdge) {
     EXPECT_FALSE(collide(a, way_a.at(share * impact->time), b, way_b.at(share * impact->time), {options.margin, 0}));
 }
 
+/// Found by the soak: a point that is on an edge but for rounding, and less than rounding is allowed. Its pieces said
+/// otherwise than the pair.
+TEST(NegativeMarginFaults, AtTheStartRoundingDecidesForTimesOfImpactAsForCollide) {
+  Random random(1);
+  int deep = 0, shallow = 0;
+  for (int i = 0; i < scaledCount(2000); ++i) {
+    const Polygon ring({star(random, random.integer(3, 9), 0.3, 1)});
+    const Pose pose_a = pose(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
+    const EdgeIndex edge = random.integer(0, static_cast<int>(ring.edgeCount()) - 1);
+    const Vec2 on = ring.edgeStart(edge) + random.unit() * (ring.edgeEnd(edge) - ring.edgeStart(edge));
+    const Pose pose_b = at((pose_a * on).x(), (pose_a * on).y());
+    const double margin = random.coin() ? -5e-324 : -std::pow(10, random.real(-20, -14));
+    const Motion rests = Motion::still(pose_a), moves = Motion::translation(pose_b, {random.real(-1, 1), 0});
+    const bool is_deep = collide(ring, pose_a, point({0, 0}), pose_b, {margin, 0});
+    ImpactOptions options;
+    options.margin = margin;
+    const auto moving = timeOfImpact(ring, rests, point({0, 0}), moves, options);
+    const auto still = timeOfImpact(ring, rests, point({0, 0}), Motion::still(pose_b), options);
+    EXPECT_EQ(moving && moving->time == 0, is_deep) << i;
+    EXPECT_EQ(still && still->time == 0, is_deep) << i;
+    ++(is_deep ? deep : shallow);
+  }
+  EXPECT_GE(std::min(deep, shallow), scaledCount(2000) / 5);
+}
+
 }  // namespace
 }  // namespace tricover::support

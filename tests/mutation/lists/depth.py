@@ -17,4 +17,7 @@ MUTATIONS = [
     ("src/depth/signed_distance.cpp", "return {-d.upper_bound - options.margin,", "return {-d.upper_bound,", "signed distance: depths without the margin"),
     ("src/depth/signed_distance.cpp", "result.normal = -result.normal;", "", "signed distance: the normal of swapped operands"),
     ("src/depth/signed_distance.cpp", ".distance - options.margin, 0.0);", ".distance - options.margin, 1.0);", "signed distance: rounding tells on which side of the margin"),
+    ("src/depth/deep_impact.cpp", "    if (of_.depth(0).upper_bound >= of_.allowed) return impactAt(0);\n", "", "deep impact: pieces decide at the start"),
+    ("src/depth/deep_impact.cpp", "if (time > 0 && deep.most >=", "if (deep.most >=", "deep impact: what is nearly deep enough at the start is"),
+    ("src/depth/deep_contact.cpp", "  if (touch.edge_a == -1) return {touch.normal};\n", "", "deep impact: an edge of a piece that touches none"),
 ]
