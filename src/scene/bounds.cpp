@@ -36,6 +36,7 @@ constexpr std::size_t kFewVertices = 400;
 constexpr double kExtentsGrowth = 1 + 0x1p-20;
 
 Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
+  reach += errorOfLargest(polygon);
   return kBoundsError * (polygon.extent + absolute(t) + reach) + (kTiny + reach);
 }
 
@@ -88,8 +89,7 @@ Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
     least = smaller(least, at - half), most = larger(most, at + half);
   }
   const Double2 middle = r0 * x + r1 * y + t;
-  return grownBox(middle + scale * least, middle + scale * most,
-                  polygon.fitsUnit() ? growth(polygon, t, reach) : Double2{} + kInfinity);
+  return grownBox(middle + scale * least, middle + scale * most, growth(polygon, t, reach));
 }
 
 }  // namespace tricover::detail

@@ -21,8 +21,11 @@ constexpr double kOfAverage = 0.25;
 /// A count beyond this number of body sizes begins anew, so that steps aren't lost to rounding.
 constexpr double kLongestPath = 0x1p20;
 
+constexpr double kMost = std::numeric_limits<double>::max();
+
+/// Finite, so that no step that overflows is beside it a short one.
 double sizeOf(const SceneState::BodyState& body) {
-  return body.polygon.data().radius + marginOfBox(body.options.margin);
+  return std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost);
 }
 
 bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
@@ -30,7 +33,7 @@ bool isCoherent(const SceneState::BodyState& body, double step) { return step <=
 /// The count of motion after a step, and whether the count goes on.
 double movedAfter(const SceneState::BodyState& body, double step) { return roundedUp<1>(body.moved + step); }
 bool staysCounted(const SceneState::BodyState& body, double step) {
-  const double most = std::min(kLongestPath * sizeOf(body), std::numeric_limits<double>::max());
+  const double most = std::min(kLongestPath * sizeOf(body), kMost);
   return isCoherent(body, step) && movedAfter(body, step) <= most;
 }
 

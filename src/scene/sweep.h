@@ -39,7 +39,7 @@ class SweptLeg {
     // leg. Ten times as much covers what rounds here.
     const double size = motion_.start.translation().cwiseAbs().sum() + motion_.pivot.cwiseAbs().sum() + length_ +
                         (1 + rotation_.size()) * reach_;
-    margin_ += 1e-12 * size;
+    margin_ += 1e-12 * size + errorOfLargest(polygon_);
   }
 
   double begin() const { return begin_; }  ///< by the clock

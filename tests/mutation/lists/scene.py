@@ -3,6 +3,9 @@
 MUTATIONS = [
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
     ("src/scene/bounds.cpp", "if (finite == 3)", "if (true)", "scene: boxes that overflow"),
+    ("src/scene/bounds.cpp", "  reach += errorOfLargest(polygon);\n", "", "scene: boxes of the largest polygons, of which impacts know nothing"),
+    ("src/scene/sweep.h", " + errorOfLargest(polygon_)", "", "scene: sweeps of the largest polygons, of which impacts know nothing"),
+    ("src/scene/moves.cpp", "std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost)", "body.polygon.data().radius + marginOfBox(body.options.margin)", "scene: a step that overflows is short beside a size that does"),
     ("src/scene/nearest.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "scene: the nearest is sought without the margin"),
     ("src/scene/collides.cpp", "depthOfDiscs(pair, options.margin)", "depthOfDiscs(pair, 2 * options.margin)", "scene: discs that meet within twice the margin"),
     ("src/scene/collides.cpp", "options.margin) >= 0 && may_touch)", "options.margin) >= 0)", "scene: inner discs without an interior overlap"),
