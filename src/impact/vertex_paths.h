@@ -120,16 +120,16 @@ class VertexView {
     return true;
   }
 
-  /// Whether the vertex stays in contact with the edge: how far it is from that, across and along, is most at an end of
-  /// a straight path.
+  /// Whether the vertex stays in contact with the edge. The distance of a straight path from an edge is convex, and so
+  /// is the distance plus what the path bends across and along: it is most at an end. Each end counts with its own
+  /// distances across and along, which may change in opposite ways.
   bool staysBeside(const VertexPath& path, const EdgeInUnits& edge) const {
     const auto [aside, along] = edge.beside(path);
-    const Double2 across = absolute(aside), beyond = absolute(along) - edge.half();
-    const double off =
-        std::max(across[0], across[1]) + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));
-    const double past =
-        std::max(beyond[0], beyond[1]) + 0.25 * (path.chord_error - pull_.sparedAlong(edge.ux, edge.uy));
-    return std::hypot(off, std::max(past, 0.0)) <= near_;
+    const Double2 across = absolute(aside) + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));
+    const Double2 beyond =
+        absolute(along) - edge.half() + 0.25 * (path.chord_error - pull_.sparedAlong(edge.ux, edge.uy));
+    const auto isNear = [&](int end) { return std::hypot(across[end], std::max(beyond[end], 0.0)) <= near_; };
+    return isNear(0) && isNear(1);
   }
 
   /// On which side of an edge's line the vertex stays: 1 on the left, -1 on the right, 0 if that isn't known.

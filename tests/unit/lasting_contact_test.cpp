@@ -79,6 +79,18 @@ TEST(LastingContact, LanesAtExactlyTheMargin) {
   }
 }
 
+/// A vertex at exactly the margin along an edge, and on past its end. There the vertex comes nearer to the line of the
+/// next edge while it goes farther beyond that edge's end.
+TEST(LastingContact, PastTheEndOfAnEdgeAtTheMargin) {
+  const Polygon square({{{0x0p+0, 0x0p+0}, {0x1p+2, 0x1.8p+1}, {0x1p+0, 0x1.cp+2}, {-0x1.8p+1, 0x1p+2}}});
+  const Polygon kite({{{0x1p+1, 0x0p+0}, {-0x0p+0, 0x1p+0}, {-0x1.8p+1, -0x1p+0}, {0x1p+1, -0x1p+1}}});
+  Motion along = slide(-0x1.cc8d2ab0a8bafp+0, -0x1.9fb0755cd2e9dp+2, {-0x1.ep+1, 0x1.8p-1});
+  along.start.linear() << 0x1.3333333333333p-1, -0x1.999999999999ap-1, 0x1.999999999999ap-1, 0x1.3333333333333p-1;
+  for (const double error : kErrors)
+    expectOne(conflicts(square, along, kite, still(0, 0), within(error, false, 0.25)), 0, 1 / 3.0,
+              std::max(error, 1e-6));
+}
+
 TEST(LastingContact, OverManyFeatures) {
   Ring flat, teeth;
   for (int i = 0; i <= 2000; ++i) {

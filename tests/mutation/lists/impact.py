@@ -53,6 +53,8 @@ MUTATIONS = [
     ("src/depth/conflicts.cpp", " || staysContained(time, next, travel));", ");", "lasting contact: floats tell how deep a body is held"),
     ("src/depth/conflicts.cpp", "return meet ? -1 : travel;", "return meet ? -1 : 0.01 * travel;", "lasting contact: edges that come near aren't asked"),
     ("src/depth/conflicts.cpp", " || edgesStayCrossed(interval, touch.edge_a, touch.edge_b))", ")", "lasting contact: edges that hardly cross"),
+    ("src/impact/vertex_paths.h", "std::hypot(across[end], std::max(beyond[end], 0.0))", "std::hypot(std::max(across[end], across[1 - end]), std::max(std::max(beyond[end], beyond[1 - end]), 0.0))", "lasting contact: a vertex as far across as at one end and as far beyond as at the other"),
+    ("src/impact/vertex_paths.h", "return isNear(0) && isNear(1);", "return isNear(0);", "lasting contact: a vertex that is near at the begin stays"),
     ("src/impact/vertex_paths.h", "return sides[0] * sides[1] < 0 && sides[2] * sides[3] < 0;", "return sides[0] * sides[1] < 0;", "lasting contact: an edge crosses the other one's line beside it"),
     ("src/impact/vertex_paths.h", "const double off = rounding_ + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));", "const double off = rounding_;", "lasting contact: straight paths on either side"),
     ("src/depth/least_distance.cpp", "ImpactOptions closer{std::min(margin + options_.margin, kLargest), 0};", "ImpactOptions closer{std::min(margin, kLargest), 0};", "least distance: without its margin"),
