@@ -117,6 +117,8 @@ struct Hierarchy : Derived::Thing {
   Derived tangles;  ///< whether its edges meet each other, see meetsItself()
   Derived sides;    ///< of its rings on which the region is, see regionSidesOf()
   Derived borders;  ///< see withBordersOnly()
+  Derived field;    ///< of influence lengths
+  SkiRental<Stages::All> field_rental;
 };
 
 static_assert(std::uint64_t{kMostPositions} * kLanes <= std::uint64_t{1} << 32, "a block and a lane are one number");

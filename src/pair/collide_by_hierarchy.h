@@ -6,6 +6,7 @@
 
 #include "hierarchy/simd.h"
 #include "pair/edge_test.h"
+#include "pair/meet_in_field.h"
 #include "pair/outcome.h"
 #include "pair/posed_pair.h"
 #include "pair/root_box.h"
@@ -17,11 +18,20 @@ namespace tricover::detail {
 /// shorter the ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
+/// Of b's unit and a's, from which on a field of a is asked.
+constexpr double kSmallBeside = 0.125;
+
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
                                                  double& clearance) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
+  // A body that is small beside a map.
+  if (at.scale <= kSmallBeside && wanted != Wanted::Edges)
+    if (const InfluenceField* field = fieldIfPaid(test.a)) {
+      const Meeting meeting = meetInField(*field, at, limit, test, clearance);
+      if (meeting != Meeting::Unknown) return meeting;
+    }
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.region, b.region, at);
   if (gap > limit) {

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that the outline touches are marked, with a margin for rounding. The outline is nowhere else, so the cells around them are
+// all on one side, which crossings of rows tell. How far a cell is from the nearest marked one is an exact transform of
+// integers: Meijster, Roerdink and Hesselink, "A General Algorithm for Computing Distance Transforms in Linear Time"
+// (2000). Between any two points of two cells that are i columns and j rows apart there are at least
+// sqrt((|i| - 1)^2 + (|j| - 1)^2) sides: that is the distance of the middles if each marked cell stands for the nine
+// around it.
+#include "hierarchy/influence_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace tricover::detail {
+namespace {
+
+/// What a cell is larger by, in sides, where the outline is said to touch it. Vertices and crossings are rounded by far
+/// less.
+constexpr double kPadding = 0x1p-16;
+/// Distances that a cell can tell, in sides.
+constexpr int kFarthest = 64;
+
+struct Grid {
+  int columns, rows;
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+  int column(double x) const { return std::clamp(static_cast<int>(std::floor(x)), 0, columns - 1); }
+  int row(double y) const { return std::clamp(static_cast<int>(std::floor(y)), 0, rows - 1); }
+};
+
+/// An edge in sides from the grid's corner.
+struct GridEdge {
+  Vec2 v, w;
+  /// Where it is at a height, within its own width.
+  double x(double y) const {
+    const double share = std::clamp((y - v.y()) / (w.y() - v.y()), 0.0, 1.0);
+    return v.x() + share * (w.x() - v.x());
+  }
+};
+
+/// Marks the cells that an edge touches.
+void mark(const Grid& grid, const GridEdge& edge, std::vector<std::uint8_t>& touched) {
+  const double low = std::min(edge.v.y(), edge.w.y()), high = std::max(edge.v.y(), edge.w.y());
+  const auto [left, right] = std::minmax(edge.v.x(), edge.w.x());
+  for (int row = grid.row(low - kPadding), last = grid.row(high + kPadding); row <= last; ++row) {
+    double first = left, end = right;
+    if (low < high) {
+      const double from = edge.x(std::max(row - kPadding, low)), to = edge.x(std::min(row + 1 + kPadding, high));
+      first = std::min(from, to), end = std::max(from, to);
+    }
+    std::fill(touched.begin() + static_cast<std::ptrdiff_t>(grid.at(grid.column(first - kPadding), row)),
+              touched.begin() + static_cast<std::ptrdiff_t>(grid.at(grid.column(end + kPadding), row)) + 1, 1);
+  }
+}
+
+/// Counts an edge where it crosses the middle of a row: between there and the row's end the winding is another one.
+void count(const Grid& grid, const GridEdge& edge, std::vector<int>& changes) {
+  const int up = edge.v.y() < edge.w.y() ? 1 : -1;
+  const double low = std::min(edge.v.y(), edge.w.y()), high = std::max(edge.v.y(), edge.w.y());
+  for (int row = grid.row(low - 1), last = grid.row(high); row <= last; ++row) {
+    const double middle = row + 0.5;
+    if (low <= middle && middle < high) changes[grid.at(grid.column(edge.x(middle)), row)] -= up;
+  }
+}
+
+/// The distances of all cells from marked ones, squared, where each marked cell stands for the nine around it.
+class Distances {
+ public:
+  Distances(const Grid& grid, const std::vector<std::uint8_t>& touched, std::vector<int>& squares)
+      : grid_(grid), squares_(squares) {
+    alongColumns(touched);
+    for (int row = 0; row < grid_.rows; ++row) alongRow(row);
+  }
+
+ private:
+  static constexpr int kNoneNear = kFarthest + 2;
+
+  void alongColumns(const std::vector<std::uint8_t>& touched) {
+    const auto columns = static_cast<std::size_t>(grid_.columns);
+    for (std::size_t k = 0; k < touched.size(); ++k)
+      squares_[k] = touched[k] != 0 ? 0 : std::min(k < columns ? kNoneNear : squares_[k - columns] + 1, kNoneNear);
+    for (std::size_t k = touched.size() - columns; k-- > 0;)
+      squares_[k] = std::min(squares_[k], squares_[k + columns] + 1);
+  }
+
+  /// The lower envelope of parabolas, one for each column, that begin at the columns' squares.
+  void alongRow(int row) {
+    const int n = grid_.columns;
+    int* line = squares_.data() + grid_.at(0, row);
+    heights_.resize(static_cast<std::size_t>(n));
+    tops_.clear();
+    for (int i = 0; i < n; ++i) {
+      const int nearest = std::min({line[std::max(i - 1, 0)], line[i], line[std::min(i + 1, n - 1)]});
+      const int height = std::max(nearest - 1, 0);
+      heights_[static_cast<std::size_t>(i)] = height * height;
+    }
+    for (int i = 0; i < n; ++i) {
+      while (!tops_.empty() && value(tops_.back().from, tops_.back().column) > value(tops_.back().from, i))
+        tops_.pop_back();
+      const std::int64_t from = tops_.empty() ? 0 : 1 + crossing(tops_.back().column, i);
+      if (from < n) tops_.push_back({i, static_cast<int>(from)});
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      line[i] = static_cast<int>(std::min<std::int64_t>(value(i, tops_.back().column), kFarthest * kFarthest));
+      if (i == tops_.back().from) tops_.pop_back();
+    }
+  }
+
+  std::int64_t value(int at, int column) const {
+    return std::int64_t{at - column} * (at - column) + heights_[static_cast<std::size_t>(column)];
+  }
+  /// The last place where the parabola of i is no higher than that of k, i < k: that is none before the first.
+  std::int64_t crossing(int i, int k) const {
+    const std::int64_t above = std::int64_t{k - i} * (k + i) + heights_[static_cast<std::size_t>(k)] -
+                               heights_[static_cast<std::size_t>(i)];
+    return above >= 0 ? above / (2 * (k - i)) : -1;
+  }
+
+  struct Top {
+    int column, from;
+  };
+  const Grid& grid_;
+  std::vector<int>& squares_;
+  std::vector<int> heights_;
+  std::vector<Top> tops_;
+};
+
+}  // namespace
+
+InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(polygon.fill.is_complement) {
+  Vec2 low = polygon.inUnits(polygon.path[0]), high = low;
+  for (const Vec2& p : polygon.path) {
+    const Vec2 at = polygon.inUnits(p);
+    low = low.cwiseMin(at), high = high.cwiseMax(at);
+  }
+  const Vec2 size = high - low;
+  const auto wanted = static_cast<double>(std::min(kCellsOfEdge * polygon.path.size(), kMostCells));
+  side_ = std::max(std::sqrt(size.x() * size.y() / wanted), 8 * std::max(size.x(), size.y()) / wanted);
+  inverse_side_ = 1 / side_;
+  low_x_ = low.x(), low_y_ = low.y();
+  const Grid grid{static_cast<int>(size.x() * inverse_side_) + 1, static_cast<int>(size.y() * inverse_side_) + 1};
+  columns_ = grid.columns, rows_ = grid.rows;
+  cells_.resize(grid.at(0, grid.rows));
+  std::vector<int> work(cells_.size());
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
+      const GridEdge edge{(polygon.inUnits(polygon.path[e]) - low) * inverse_side_,
+                          (polygon.inUnits(polygon.path[e + 1]) - low) * inverse_side_};
+      mark(grid, edge, cells_);
+      count(grid, edge, work);
+    }
+  std::vector<std::uint8_t> inside(cells_.size());
+  for (int row = 0; row < grid.rows; ++row) {
+    int winding = 0;
+    for (std::size_t k = grid.at(0, row); k < grid.at(0, row + 1); ++k) {
+      winding += work[k];
+      const bool is_inside = polygon.fill.rule == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+      inside[k] = is_inside != is_complement_ ? kInside : 0;
+    }
+  }
+  const Distances distances(grid, cells_, work);
+  std::array<std::uint8_t, kFarthest * kFarthest + 1> steps{};
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    steps[k] = static_cast<std::uint8_t>(
+        std::min(1 + static_cast<unsigned>(2 * std::sqrt(static_cast<double>(k))), kSteps));
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    cells_[k] = cells_[k] != 0 ? 0 : steps[static_cast<std::size_t>(work[k])] | inside[k];
+}
+
+const InfluenceField* payForField(const PolygonData& polygon) {
+  // A query without it descends the tree, and counts windings.
+  constexpr std::size_t kOfCell = 4, kOfQuery = 256;
+  const std::size_t cells = std::min(InfluenceField::kCellsOfEdge * polygon.path.size(), InfluenceField::kMostCells);
+  const Hierarchy& top = topOf(polygon);
+  if (!top.field_rental.isDue(kOfQuery, kOfCell * cells)) return nullptr;
+  return &top.field.made<InfluenceField>(polygon);
+}
+
+/// Outside of the grid nothing is.
+InfluenceField::Look InfluenceField::beyond(double column, double row) const {
+  const auto outside = [](double at, double size) { return at < 0 ? -at : std::max(at - size, 0.0); };
+  const double free = std::hypot(outside(column, columns_), outside(row, rows_)) * (1 - 0x1p-20) * side_;
+  return {free, kNone, is_complement_};
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair/meet_in_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tricover::detail {
+namespace {
+
+/// What covers b: as many discs as a box takes that are about as long as wide.
+class CoveringDiscs {
+ public:
+  CoveringDiscs(const Box& box, const UnitMap& at) : box_(box), at_(at) {
+    const float tile = std::max(box.along * 0.25f, box.across * 0.5f);
+    along_ = std::clamp(static_cast<int>(std::ceil(box.along / tile)), 1, 4);
+    across_ = std::clamp(static_cast<int>(std::ceil(box.across / tile)), 1, 2);
+    half_along_ = box.along / static_cast<float>(along_), half_across_ = box.across / static_cast<float>(across_);
+    radius_ = std::sqrt(double{half_along_} * half_along_ + double{half_across_} * half_across_) * at.scale;
+  }
+
+  double radius() const { return radius_; }
+  int count() const { return along_ * across_; }
+  InfluenceField::Look look(const InfluenceField& field, int k) const {
+    const float u = half_along_ * static_cast<float>(2 * (k % along_) + 1 - along_);
+    const float v = half_across_ * static_cast<float>(2 * (k / along_) + 1 - across_);
+    const double x = box_.x + u * box_.ux - v * box_.uy, y = box_.y + u * box_.uy + v * box_.ux;
+    return field.at(at_.mappedX(x, y), at_.mappedY(x, y));
+  }
+
+ private:
+  const Box& box_;
+  const UnitMap& at_;
+  int along_, across_;
+  float half_along_, half_across_;
+  double radius_;
+};
+
+Meeting meetByCover(const InfluenceField& field, const UnitMap& at, double limit, const Box& box, double& clearance) {
+  const CoveringDiscs cover(box, at);
+  // Floats, the box's axis and a pose that misses orthonormality: as for gaps of boxes.
+  const double reach = cover.radius() + at.rounding * (4 * at.scale) + at.error;
+  double least = InfluenceField::kNone;
+  const bool is_inside = cover.look(field, 0).inside;
+  const double enough = is_inside ? 0 : limit;
+  for (int k = 0; k < cover.count(); ++k) {
+    const InfluenceField::Look look = cover.look(field, k);
+    if (look.inside != is_inside || !(look.free - reach > enough)) return Meeting::Unknown;
+    least = std::min(least, look.free - reach);
+  }
+  clearance = least;
+  return is_inside ? Meeting::Meet : Meeting::Apart;
+}
+
+/// Whether a centre of a disc in b is in a, or an edge of a is in a disc.
+Meeting meetInside(const InfluenceField& field, const UnitMap& at, const InnerDiscs& discs, double& clearance) {
+  for (int k = 0; k < discs.count; ++k) {
+    const double x = discs.x[k], y = discs.y[k];
+    const InfluenceField::Look look = field.at(at.mappedX(x, y), at.mappedY(x, y));
+    const double depth = std::max(look.inside ? look.free : 0, discs.radius[k] * at.scale * (1 - at.rounding) - look.near);
+    if (!(depth > at.error)) continue;
+    clearance = depth - at.error;
+    return Meeting::Meet;
+  }
+  return Meeting::Unknown;
+}
+
+}  // namespace
+
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test,
+                    double& clearance) {
+  const PolygonData& b = test.b;
+  const InfluenceField::Look look = field.at(at.tx, at.ty);
+  const double free = look.free - at.reach(b.reach) * (1 + kLargestDefect) - at.error;
+  if (free > (look.inside ? 0 : limit)) {
+    clearance = free;
+    return look.inside ? Meeting::Meet : Meeting::Apart;
+  }
+  if (b.isDegenerate()) return Meeting::Unknown;
+  const Meeting meeting = meetByCover(field, at, limit, topOf(b).region, clearance);
+  if (meeting != Meeting::Unknown) return meeting;
+  const InnerDiscs* discs = innerDiscsIfPaid(b);
+  return discs != nullptr ? meetInside(field, at, *discs, clearance) : Meeting::Unknown;
+}
+
+}  // namespace tricover::detail

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hierarchy/influence_field.h"
+#include "hierarchy/simd.h"
+#include "pair/edge_test.h"
+
+namespace tricover::detail {
+
+/// What a's field tells of b, which is small beside a: at b's S for all of the disc around it, then for discs that cover
+/// b, and at last for those inside of it. Lengths are in a's units, as meetAtOnce()'s.
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test,
+                    double& clearance);
+
+}  // namespace tricover::detail
