@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that the outline touches are marked, with a margin for rounding. The outline is nowhere else, so the cells around them are
-// all on one side, which crossings of rows tell. How far a cell is from the nearest marked one is an exact transform of
-// integers: Meijster, Roerdink and Hesselink, "A General Algorithm for Computing Distance Transforms in Linear Time"
-// (2000). Between any two points of two cells that are i columns and j rows apart there are at least
+// Cells that the outline touches are marked, with a margin for rounding. The outline is nowhere else, so the cells
+// around them are all on one side, which crossings of rows tell. How far a cell is from the nearest marked one is an
+// exact transform of integers: Meijster, Roerdink and Hesselink, "A General Algorithm for Computing Distance Transforms
+// in Linear Time" (2000). Between any two points of two cells that are i columns and j rows apart there are at least
 // sqrt((|i| - 1)^2 + (|j| - 1)^2) sides: that is the distance of the middles if each marked cell stands for the nine
 // around it.
 #include "hierarchy/influence_field.h"
@@ -17,51 +17,69 @@ namespace {
 /// What a cell is larger by, in sides, where the outline is said to touch it. Vertices and crossings are rounded by far
 /// less.
 constexpr double kPadding = 0x1p-16;
+/// A cell that the outline touches, while the field is made.
+constexpr std::uint8_t kTouched = 255;
 /// Distances that a cell can tell, in sides.
 constexpr int kFarthest = 64;
 
-struct Grid {
-  int columns, rows;
-  std::size_t at(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-  }
-  int column(double x) const { return std::clamp(static_cast<int>(std::floor(x)), 0, columns - 1); }
-  int row(double y) const { return std::clamp(static_cast<int>(std::floor(y)), 0, rows - 1); }
-};
-
 /// An edge in sides from the grid's corner.
 struct GridEdge {
-  Vec2 v, w;
+  double left() const { return std::min(v.x(), w.x()); }
+  double right() const { return std::max(v.x(), w.x()); }
+  double low() const { return std::min(v.y(), w.y()); }
+  double high() const { return std::max(v.y(), w.y()); }
   /// Where it is at a height, within its own width.
   double x(double y) const {
     const double share = std::clamp((y - v.y()) / (w.y() - v.y()), 0.0, 1.0);
     return v.x() + share * (w.x() - v.x());
   }
+
+  Vec2 v, w;
 };
 
-/// Marks the cells that an edge touches.
-void mark(const Grid& grid, const GridEdge& edge, std::vector<std::uint8_t>& touched) {
-  const double low = std::min(edge.v.y(), edge.w.y()), high = std::max(edge.v.y(), edge.w.y());
-  const auto [left, right] = std::minmax(edge.v.x(), edge.w.x());
-  for (int row = grid.row(low - kPadding), last = grid.row(high + kPadding); row <= last; ++row) {
-    double first = left, end = right;
-    if (low < high) {
-      const double from = edge.x(std::max(row - kPadding, low)), to = edge.x(std::min(row + 1 + kPadding, high));
-      first = std::min(from, to), end = std::max(from, to);
-    }
-    std::fill(touched.begin() + static_cast<std::ptrdiff_t>(grid.at(grid.column(first - kPadding), row)),
-              touched.begin() + static_cast<std::ptrdiff_t>(grid.at(grid.column(end + kPadding), row)) + 1, 1);
+struct Grid {
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
-}
+  int column(double x) const { return std::clamp(static_cast<int>(std::floor(x)), 0, columns - 1); }
+  int row(double y) const { return std::clamp(static_cast<int>(std::floor(y)), 0, rows - 1); }
+  GridEdge edge(const PolygonData& polygon, EdgePosition e) const {
+    return {(polygon.inUnits(polygon.path[e]) - low) * inverse_side,
+            (polygon.inUnits(polygon.path[e + 1]) - low) * inverse_side};
+  }
 
-/// Counts an edge where it crosses the middle of a row: between there and the row's end the winding is another one.
-void count(const Grid& grid, const GridEdge& edge, std::vector<int>& changes) {
-  const int up = edge.v.y() < edge.w.y() ? 1 : -1;
-  const double low = std::min(edge.v.y(), edge.w.y()), high = std::max(edge.v.y(), edge.w.y());
-  for (int row = grid.row(low - 1), last = grid.row(high); row <= last; ++row) {
-    const double middle = row + 0.5;
-    if (low <= middle && middle < high) changes[grid.at(grid.column(edge.x(middle)), row)] -= up;
+  /// Calls visit(row, first column, last column) for the cells that an edge touches.
+  template <typename Visit>
+  void forEachTouched(const GridEdge& edge, Visit visit) const {
+    const double low_y = edge.low(), high_y = edge.high();
+    for (int row_at = row(low_y - kPadding), last = row(high_y + kPadding); row_at <= last; ++row_at) {
+      double from = edge.left(), to = edge.right();
+      if (low_y < high_y) {
+        from = edge.x(std::max(row_at - kPadding, low_y)), to = edge.x(std::min(row_at + 1 + kPadding, high_y));
+        if (from > to) std::swap(from, to);
+      }
+      visit(row_at, column(from - kPadding), column(to + kPadding));
+    }
   }
+
+  /// Counts an edge where it crosses the middle of a row: from there on to the right the winding is another one.
+  void count(const GridEdge& edge, std::vector<int>& changes) const {
+    const int up = edge.v.y() < edge.w.y() ? 1 : -1;
+    for (int row_at = row(edge.low() - 1), last = row(edge.high()); row_at <= last; ++row_at) {
+      const double middle = row_at + 0.5;
+      if (edge.low() <= middle && middle < edge.high()) changes[at(column(edge.x(middle)), row_at)] -= up;
+    }
+  }
+
+  Vec2 low;
+  double inverse_side;
+  int columns, rows;
+};
+
+template <typename Visit>
+void forEachEdgeOf(const PolygonData& polygon, Visit visit) {
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) visit(e);
 }
 
 /// The distances of all cells from marked ones, squared, where each marked cell stands for the nine around it.
@@ -79,7 +97,8 @@ class Distances {
   void alongColumns(const std::vector<std::uint8_t>& touched) {
     const auto columns = static_cast<std::size_t>(grid_.columns);
     for (std::size_t k = 0; k < touched.size(); ++k)
-      squares_[k] = touched[k] != 0 ? 0 : std::min(k < columns ? kNoneNear : squares_[k - columns] + 1, kNoneNear);
+      squares_[k] =
+          touched[k] == kTouched ? 0 : std::min(k < columns ? kNoneNear : squares_[k - columns] + 1, kNoneNear);
     for (std::size_t k = touched.size() - columns; k-- > 0;)
       squares_[k] = std::min(squares_[k], squares_[k + columns] + 1);
   }
@@ -112,8 +131,8 @@ class Distances {
   }
   /// The last place where the parabola of i is no higher than that of k, i < k: that is none before the first.
   std::int64_t crossing(int i, int k) const {
-    const std::int64_t above = std::int64_t{k - i} * (k + i) + heights_[static_cast<std::size_t>(k)] -
-                               heights_[static_cast<std::size_t>(i)];
+    const std::int64_t above =
+        std::int64_t{k - i} * (k + i) + heights_[static_cast<std::size_t>(k)] - heights_[static_cast<std::size_t>(i)];
     return above >= 0 ? above / (2 * (k - i)) : -1;
   }
 
@@ -129,43 +148,70 @@ class Distances {
 }  // namespace
 
 InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(polygon.fill.is_complement) {
-  Vec2 low = polygon.inUnits(polygon.path[0]), high = low;
+  low_ = polygon.inUnits(polygon.path[0]);
+  Vec2 high = low_;
   for (const Vec2& p : polygon.path) {
     const Vec2 at = polygon.inUnits(p);
-    low = low.cwiseMin(at), high = high.cwiseMax(at);
+    low_ = low_.cwiseMin(at), high = high.cwiseMax(at);
   }
-  const Vec2 size = high - low;
+  const Vec2 size = high - low_;
   const auto wanted = static_cast<double>(std::min(kCellsOfEdge * polygon.path.size(), kMostCells));
-  side_ = std::max(std::sqrt(size.x() * size.y() / wanted), 8 * std::max(size.x(), size.y()) / wanted);
+  side_ = std::max(std::sqrt(size.x() * size.y() / wanted), 32 * std::max(size.x(), size.y()) / wanted);
   inverse_side_ = 1 / side_;
-  low_x_ = low.x(), low_y_ = low.y();
-  const Grid grid{static_cast<int>(size.x() * inverse_side_) + 1, static_cast<int>(size.y() * inverse_side_) + 1};
+  const Grid grid{low_, inverse_side_, static_cast<int>(size.x() * inverse_side_) + 1,
+                  static_cast<int>(size.y() * inverse_side_) + 1};
   columns_ = grid.columns, rows_ = grid.rows;
-  cells_.resize(grid.at(0, grid.rows));
-  std::vector<int> work(cells_.size());
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) {
-      const GridEdge edge{(polygon.inUnits(polygon.path[e]) - low) * inverse_side_,
-                          (polygon.inUnits(polygon.path[e + 1]) - low) * inverse_side_};
-      mark(grid, edge, cells_);
-      count(grid, edge, work);
-    }
-  std::vector<std::uint8_t> inside(cells_.size());
+  const std::size_t cell_count = grid.at(0, grid.rows);
+  cells_.resize(cell_count);
+  std::vector<int> work(cell_count);
+  forEachEdgeOf(polygon, [&](EdgePosition e) {
+    const GridEdge edge = grid.edge(polygon, e);
+    grid.count(edge, work);
+    grid.forEachTouched(edge, [&](int row, int first, int last) {
+      std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(grid.at(first, row)), last - first + 1, kTouched);
+    });
+  });
   for (int row = 0; row < grid.rows; ++row) {
     int winding = 0;
     for (std::size_t k = grid.at(0, row); k < grid.at(0, row + 1); ++k) {
       winding += work[k];
       const bool is_inside = polygon.fill.rule == FillRule::EvenOdd ? winding % 2 != 0 : winding != 0;
-      inside[k] = is_inside != is_complement_ ? kInside : 0;
+      if (cells_[k] != kTouched) cells_[k] = is_inside != is_complement_ ? kInside : 0;
     }
   }
   const Distances distances(grid, cells_, work);
   std::array<std::uint8_t, kFarthest * kFarthest + 1> steps{};
   for (std::size_t k = 0; k < steps.size(); ++k)
-    steps[k] = static_cast<std::uint8_t>(
-        std::min(1 + static_cast<unsigned>(2 * std::sqrt(static_cast<double>(k))), kSteps));
-  for (std::size_t k = 0; k < cells_.size(); ++k)
-    cells_[k] = cells_[k] != 0 ? 0 : steps[static_cast<std::size_t>(work[k])] | inside[k];
+    steps[k] =
+        static_cast<std::uint8_t>(std::min(1 + static_cast<unsigned>(2 * std::sqrt(static_cast<double>(k))), kSteps));
+  for (std::size_t k = 0; k < cell_count; ++k)
+    cells_[k] =
+        static_cast<std::uint8_t>(cells_[k] == kTouched ? 0 : steps[static_cast<std::size_t>(work[k])] | cells_[k]);
+  addSpans(polygon);
+}
+
+/// Counted, and sorted into rows.
+void InfluenceField::addSpans(const PolygonData& polygon) {
+  const Grid grid{low_, inverse_side_, static_cast<int>(columns_), static_cast<int>(rows_)};
+  row_begins_.resize(static_cast<std::size_t>(grid.rows) + 1);
+  const auto forEachSpan = [&](auto visit) {
+    forEachEdgeOf(polygon, [&](EdgePosition e) {
+      grid.forEachTouched(grid.edge(polygon, e), [&](int row, int first, int last) {
+        for (int k = first; k <= last; k += kLongest)
+          visit(static_cast<std::size_t>(row), e, k, std::min(last - k + 1, kLongest));
+      });
+    });
+  };
+  forEachSpan([&](std::size_t row, EdgePosition, int, int) { ++row_begins_[row + 1]; });
+  for (std::size_t row = 0; row + 1 < row_begins_.size(); ++row) row_begins_[row + 1] += row_begins_[row];
+  spans_.resize(row_begins_.back());
+  std::vector<std::uint32_t> ends(row_begins_.begin(), row_begins_.end() - 1);
+  forEachSpan([&](std::size_t row, EdgePosition e, int first, int count) {
+    spans_[ends[row]++] = {e, static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(count)};
+  });
+  for (std::size_t row = 0; row < ends.size(); ++row)
+    std::sort(spans_.begin() + row_begins_[row], spans_.begin() + row_begins_[row + 1],
+              [](const Span& s, const Span& t) { return s.first < t.first; });
 }
 
 const InfluenceField* payForField(const PolygonData& polygon) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,21 +27,39 @@ class InfluenceField : public Derived::Thing {
     bool inside;  ///< whether the place is in the region; certain where `free` is more than the place's error
   };
   Look at(double x, double y) const {
-    const double column = (x - low_x_) * inverse_side_, row = (y - low_y_) * inverse_side_;
+    const double column = (x - low_.x()) * inverse_side_, row = (y - low_.y()) * inverse_side_;
     if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return beyond(column, row);
-    const unsigned cell = cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                                 static_cast<std::size_t>(column)];
+    const unsigned cell =
+        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
     const unsigned steps = cell & kSteps;
     return {kStep * side_ * (steps > 0 ? steps - 1 : 0), steps < kSteps ? kFar * side_ + kStep * side_ * steps : kNone,
             cell > kInside};
   }
 
+  /// Calls visit(edge) for each edge, by its position, that may come within a box of half such a width and height,
+  /// until that returns false. Some more than once.
+  template <typename Visit>
+  void forEachEdge(const Vec2& middle, const Vec2& half, Visit visit) const {
+    const Vec2 at = (middle - low_) * inverse_side_, reach = half * inverse_side_;
+    const int first = columnAt(at.x() - reach.x()), last = columnAt(at.x() + reach.x());
+    for (int row = rowAt(at.y() - reach.y()), end = rowAt(at.y() + reach.y()); row <= end; ++row) {
+      const Span* span = spans_.data() + row_begins_[static_cast<std::size_t>(row)];
+      const Span* const row_end = spans_.data() + row_begins_[static_cast<std::size_t>(row) + 1];
+      span = std::partition_point(span, row_end, [&](const Span& s) { return s.first + kLongest <= first; });
+      for (; span != row_end && span->first <= last; ++span)
+        if (span->first + span->count > first && !visit(span->edge)) return;
+    }
+  }
+  /// So many rows such a box has.
+  double rowsOf(double half) const { return 2 * half * inverse_side_; }
+
   std::size_t cellCount() const { return cells_.size(); }
+  std::size_t bytes() const { return cells_.size() + spans_.size() * sizeof(Span) + row_begins_.size() * 4; }
   double side() const { return side_; }
 
   /// Where no edge is known.
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t kCellsOfEdge = 32, kMostCells = std::size_t{1} << 20;
+  static constexpr std::size_t kCellsOfEdge = 16, kMostCells = std::size_t{1} << 20;
 
  private:
   // A cell: whether it is inside, and 0 where the outline touches it; otherwise 1 + the number of half sides that the
@@ -52,12 +71,25 @@ class InfluenceField : public Derived::Thing {
   /// their middles. That one is next to a marked one: 2 diagonals, and the same rounding.
   static constexpr double kFar = 2 * 1.4142135623730951 + 0x1p-10;
 
-  Look beyond(double column, double row) const;
+  /// Cells of a row that an edge touches, one after another.
+  struct Span {
+    EdgePosition edge;
+    std::uint16_t first, count;
+  };
+  static constexpr int kLongest = 8;  ///< longer ones are several
 
-  double low_x_, low_y_, side_, inverse_side_;
+  Look beyond(double column, double row) const;
+  int columnAt(double column) const { return static_cast<int>(std::clamp(column, 0.0, columns_ - 1)); }
+  int rowAt(double row) const { return static_cast<int>(std::clamp(row, 0.0, rows_ - 1)); }
+  void addSpans(const PolygonData& polygon);
+
+  Vec2 low_;
+  double side_, inverse_side_;
   double columns_, rows_;
   bool is_complement_;
   std::vector<std::uint8_t> cells_;
+  std::vector<Span> spans_;  ///< row by row, in each from left to right
+  std::vector<std::uint32_t> row_begins_;
 };
 
 /// For a query that the field may answer: builds it once such queries have paid for it, until then null. Of few edges,

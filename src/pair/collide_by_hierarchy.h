@@ -14,28 +14,24 @@
 
 namespace tricover::detail {
 
-/// What a query wants to know beside the answer: nothing, how certain it is, or the edges of a hit. The less, the
-/// shorter the ways to it.
-enum class Wanted { Answer, Clearance, Edges };
-
 /// Of b's unit and a's, from which on a field of a is asked.
 constexpr double kSmallBeside = 0.125;
 
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
-                                                 double& clearance) {
+                                                 Outcome& outcome) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
   // A body that is small beside a map.
   if (at.scale <= kSmallBeside && wanted != Wanted::Edges)
     if (const InfluenceField* field = fieldIfPaid(test.a)) {
-      const Meeting meeting = meetInField(*field, at, limit, test, clearance);
+      const Meeting meeting = meetInField(*field, at, limit, wanted, test, outcome);
       if (meeting != Meeting::Unknown) return meeting;
     }
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.region, b.region, at);
   if (gap > limit) {
-    clearance = gap;
+    outcome.clearance = gap;
     return Meeting::Apart;
   }
   const bool are_near = std::abs(at.tx) + std::abs(at.ty) < 4;  // false for NaN
@@ -53,7 +49,7 @@ constexpr double kSmallBeside = 0.125;
   if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;
   const double depth = innerDepth(*discs_a, *discs_b, at);
   if (!(depth > 0)) return Meeting::Unknown;
-  clearance = depth;
+  outcome.clearance = depth;
   return Meeting::Meet;
 }
 
@@ -72,7 +68,7 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
     return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
-  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
+  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome);
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance = at.inWorld(outcome.clearance, test.a.unit);

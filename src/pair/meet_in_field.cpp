@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/segment.h"
+#include "pair/containment.h"
+
 namespace tricover::detail {
 namespace {
 
@@ -56,7 +59,8 @@ Meeting meetInside(const InfluenceField& field, const UnitMap& at, const InnerDi
   for (int k = 0; k < discs.count; ++k) {
     const double x = discs.x[k], y = discs.y[k];
     const InfluenceField::Look look = field.at(at.mappedX(x, y), at.mappedY(x, y));
-    const double depth = std::max(look.inside ? look.free : 0, discs.radius[k] * at.scale * (1 - at.rounding) - look.near);
+    const double depth =
+        std::max(look.inside ? look.free : 0, discs.radius[k] * at.scale * (1 - at.rounding) - look.near);
     if (!(depth > at.error)) continue;
     clearance = depth - at.error;
     return Meeting::Meet;
@@ -64,22 +68,71 @@ Meeting meetInside(const InfluenceField& field, const UnitMap& at, const InnerDi
   return Meeting::Unknown;
 }
 
+/// A box in a's units, widened by what decides and by all errors.
+struct PlacedBox {
+  PlacedBox(const Box& box, const UnitMap& at, double limit)
+      : middle(at.mappedX(box.x, box.y), at.mappedY(box.x, box.y)),
+        axis(at.turnedX(box.ux, box.uy), at.turnedY(box.ux, box.uy)) {
+    const double more = limit + at.rounding * 8 + at.error;
+    along = box.along * at.scale + more, across = box.across * at.scale + more;
+  }
+  Vec2 half() const {
+    const double x = std::abs(axis.x()), y = std::abs(axis.y());
+    return {along * x + across * y, along * y + across * x};
+  }
+  /// False if a segment surely doesn't come near.
+  bool mayMeet(const Vec2& v, const Vec2& w) const {
+    const double v_along = axis.dot(v - middle), w_along = axis.dot(w - middle);
+    const double v_across = cross(axis, v - middle), w_across = cross(axis, w - middle);
+    return std::min(v_along, w_along) <= along && std::max(v_along, w_along) >= -along &&
+           std::min(v_across, w_across) <= across && std::max(v_across, w_across) >= -across;
+  }
+
+  Vec2 middle, axis;
+  double along, across;
+};
+
+/// By the edges of a that are in cells near b, whose edges are few.
+Outcome meetByEdges(const InfluenceField& field, const PlacedBox& box, const EdgeTest& test) {
+  const PolygonData &a = test.a, &b = test.b;
+  Outcome outcome;
+  field.forEachEdge(box.middle, box.half(), [&](EdgePosition i) {
+    if (!box.mayMeet(a.inUnits(a.path[i]), a.inUnits(a.path[i + 1]))) return true;
+    for (std::size_t ring = 0; ring < b.ringCount(); ++ring)
+      for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring); ++j)
+        if (test(i, j)) {
+          outcome = {true, 0, i, j};
+          return false;
+        }
+    return true;
+  });
+  return outcome.collides ? outcome : findContainment(test.pair);
+}
+
 }  // namespace
 
-Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test,
-                    double& clearance) {
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
+                    Outcome& outcome) {
   const PolygonData& b = test.b;
   const InfluenceField::Look look = field.at(at.tx, at.ty);
   const double free = look.free - at.reach(b.reach) * (1 + kLargestDefect) - at.error;
   if (free > (look.inside ? 0 : limit)) {
-    clearance = free;
+    outcome.clearance = free;
     return look.inside ? Meeting::Meet : Meeting::Apart;
   }
   if (b.isDegenerate()) return Meeting::Unknown;
-  const Meeting meeting = meetByCover(field, at, limit, topOf(b).region, clearance);
+  const Box& box = topOf(b).region;
+  Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
   if (meeting != Meeting::Unknown) return meeting;
-  const InnerDiscs* discs = innerDiscsIfPaid(b);
-  return discs != nullptr ? meetInside(field, at, *discs, clearance) : Meeting::Unknown;
+  if (const InnerDiscs* discs = innerDiscsIfPaid(b)) meeting = meetInside(field, at, *discs, outcome.clearance);
+  if (meeting != Meeting::Unknown) return meeting;
+  constexpr std::size_t kFewEdges = 16;
+  constexpr double kFewRows = 48;
+  const PlacedBox placed(box, at, limit);
+  if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(placed.half().y()) < kFewRows))
+    return Meeting::Unknown;
+  outcome = meetByEdges(field, placed, test);
+  return outcome.collides ? Meeting::Meet : Meeting::Apart;
 }
 
 }  // namespace tricover::detail

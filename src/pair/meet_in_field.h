@@ -4,12 +4,14 @@
 #include "hierarchy/influence_field.h"
 #include "hierarchy/simd.h"
 #include "pair/edge_test.h"
+#include "pair/outcome.h"
 
 namespace tricover::detail {
 
-/// What a's field tells of b, which is small beside a: at b's S for all of the disc around it, then for discs that cover
-/// b, and at last for those inside of it. Lengths are in a's units, as meetAtOnce()'s.
-Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test,
-                    double& clearance);
+/// What a's field tells of b, which is small beside a: at b's S for all of the disc around it, then for discs that
+/// cover b, for those inside of it, and at last by the edges in the cells that b comes near. Lengths are in a's units,
+/// as meetAtOnce()'s.
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
+                    Outcome& outcome);
 
 }  // namespace tricover::detail
