@@ -17,6 +17,7 @@ bool run(const std::string& directory, bool) {
        {"Contacts, by their detail", measureContactCosts()},
        {"With a cache and without", measureCaches()},
        {"A map of islands", measureIslands()},
+       {"Robots in maps", measureRobots()},
        {"Narrow gaps", measureGaps()},
        {"Contact that lasts", measureLastingContact()},
        {"Outward simplification", measureSimplification()}},

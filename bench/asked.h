@@ -34,4 +34,8 @@ std::vector<Result> measureContainers();
 /// are bytes.
 std::vector<Result> measureStillMaps();
 
+/// Robots in maps of rooms, and in those of the folder that the environment's MAPS names: random poses, free ones near walls, drives;
+/// beside a loop over the map's cells.
+std::vector<Result> measureRobots();
+
 }  // namespace tricover::bench

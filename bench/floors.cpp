@@ -218,7 +218,8 @@ std::vector<Floor> allFloors() {
                     *const scan = "core behind a scan of boxes / Scene", *const without = "cached / without",
                     *const last = "Box2D from its last simplex / core", *const solver = "FCL's best solver / via FCL",
                     *const library = "best library / core", *const own = "FCL's own pair / via FCL, the slower order",
-                    *const maps = "maps at rest, up to one million 8-gons",
+                    *const cells = "a robot in a map of cells, anywhere and near walls",
+                    *const cell_loop = "an exact loop over its cells / core", *const maps = "maps at rest, up to one million 8-gons",
                     *const overlay = "f8f33f8's, by way of GEOS's overlay / core";
   const auto cache = [&](const char* query) {
     return ratios(job("cache") && named(query), method("cached"), method("none"));
@@ -272,6 +273,11 @@ std::vector<Floor> allFloors() {
       {robot, "our shapes in FCL's best manager / Scene", "5.4", 3, beside(map, "via FCL")},
       {robot, "GEOS STRtree, prepared / Scene", "3.2", 2, beside(map, "GEOS")},
       {robot, "Boost rtree / Scene", "3.4", 2, beside(map, "Boost")},
+      {cells, cell_loop, "0.11", 0.8, ratios(job("robot"), method("cells"), method("core"))},
+      median({cells, cell_loop, "0.33", 2, ratios(job("robot"), method("cells"), method("core"))}),
+      {cells, "an exact loop over its cells / Scene", "0.11", 0.8, ratios(job("robot"), method("cells"), scene)},
+      {"a robot that drives 5 m in a map of cells", "collide every 2 cm / time of impact", "", 15,
+       ratios(job("drive"), method("collide every 2 cm"), method("time of impact"))},
       {"rays in that map", "the faster of Box2D and Boost / Scene", "2.9", 1.5, ratios(job("rays"), rival, scene)},
       {"one polygon of up to 79,000 islands", "a Scene / one polygon", "0.5", 0.2,
        ratios(islands, method("Scene"), method("one polygon"))},

@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
-  libboost-dev libtbb-dev libgmp-dev libbenchmark-dev gnuplot-nox ninja-build
+  libboost-dev libtbb-dev libgmp-dev libbenchmark-dev libyaml-cpp-dev gnuplot-nox ninja-build
 
 # Ninja compiles across targets: the tables of FCL's functions, two minutes each, beside all the rest.
 build=build/bench-ninja
@@ -19,7 +19,7 @@ step() {
 quietly() { "$@" >"build/bench.log" 2>&1 || { cat build/bench.log; return 1; }; }
 
 step "configuring"
-quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON \
+quietly cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTRICOVER_BUILD_BENCH=ON -DTRICOVER_BUILD_IO=ON \
   -DTRICOVER_WERROR=ON -DTRICOVER_BENCH_BOX2D_V3="${BOX2D_V3-}"
 step "building (FCL's headers take their time)"
 quietly cmake --build "$build" --target bench_main bench_scenes bench_tradeoff bench_modelled bench_first bench_asked \

@@ -2,7 +2,7 @@
 #include "tricover/prepare.h"
 
 #include "convex/convex_outline.h"
-#include "hierarchy/hierarchy.h"
+#include "hierarchy/influence_field.h"
 #include "overlay/rings.h"
 #include "pair/ring_starts.h"
 
@@ -12,6 +12,7 @@ void prepare(const Polygon& polygon) {
   const detail::PolygonData& data = polygon.data();
   detail::hierarchyOf(data);
   detail::innerDiscsOf(data);
+  if (hasField(data)) fieldOf(data);
   detail::convexOutlineOf(data);
   if (const detail::PolygonData* corners = detail::cornersOf(data)) {
     detail::hierarchyOf(*corners);

@@ -149,14 +149,18 @@ class Distances {
 
 InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(polygon.fill.is_complement) {
   low_ = polygon.inUnits(polygon.path[0]);
-  Vec2 high = low_;
-  for (const Vec2& p : polygon.path) {
-    const Vec2 at = polygon.inUnits(p);
-    low_ = low_.cwiseMin(at), high = high.cwiseMax(at);
-  }
+  Vec2 high = low_, ways(0, 0);
+  forEachEdgeOf(polygon, [&](EdgePosition e) {
+    const Vec2 v = polygon.inUnits(polygon.path[e]);
+    low_ = low_.cwiseMin(v), high = high.cwiseMax(v);
+    ways += (polygon.inUnits(polygon.path[e + 1]) - v).cwiseAbs();
+  });
+  // The cells, the rows, and the spans of all edges are no more than so many an edge.
   const Vec2 size = high - low_;
-  const auto wanted = static_cast<double>(std::min(kCellsOfEdge * polygon.path.size(), kMostCells));
-  side_ = std::max(std::sqrt(size.x() * size.y() / wanted), 32 * std::max(size.x(), size.y()) / wanted);
+  const auto edges = static_cast<double>(std::min(polygon.path.size(), kMostCells / kCellsOfEdge));
+  const double wanted = kCellsOfEdge * edges;
+  side_ = std::max({std::sqrt(size.x() * size.y() / wanted), 32 * size.maxCoeff() / wanted,
+                    (ways.y() + ways.x() / kLongest) / static_cast<double>(polygon.path.size())});
   inverse_side_ = 1 / side_;
   const Grid grid{low_, inverse_side_, static_cast<int>(size.x() * inverse_side_) + 1,
                   static_cast<int>(size.y() * inverse_side_) + 1};
@@ -214,13 +218,13 @@ void InfluenceField::addSpans(const PolygonData& polygon) {
               [](const Span& s, const Span& t) { return s.first < t.first; });
 }
 
-const InfluenceField* payForField(const PolygonData& polygon) {
+const InfluenceField& fieldOf(const PolygonData& polygon) { return topOf(polygon).field.made<InfluenceField>(polygon); }
+
+void payForField(const PolygonData& polygon) {
   // A query without it descends the tree, and counts windings.
   constexpr std::size_t kOfCell = 4, kOfQuery = 256;
   const std::size_t cells = std::min(InfluenceField::kCellsOfEdge * polygon.path.size(), InfluenceField::kMostCells);
-  const Hierarchy& top = topOf(polygon);
-  if (!top.field_rental.isDue(kOfQuery, kOfCell * cells)) return nullptr;
-  return &top.field.made<InfluenceField>(polygon);
+  if (topOf(polygon).field_rental.isDue(kOfQuery, kOfCell * cells)) fieldOf(polygon);
 }
 
 /// Outside of the grid nothing is.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,14 @@ class InfluenceField : public Derived::Thing {
   /// So many rows such a box has.
   double rowsOf(double half) const { return 2 * half * inverse_side_; }
 
+  /// Whether it decides more than half of what is asked of it: otherwise it isn't asked any more. Threads may lose each
+  /// other's counts.
+  bool isWorthAsking() const { return usedStages() != Stages::Paid || credit_.load(std::memory_order_relaxed) > 0; }
+  void count(bool has_decided) const {
+    const int credit = credit_.load(std::memory_order_relaxed);
+    if (!has_decided || credit < kMostCredit) credit_.store(credit + (has_decided ? 1 : -1), std::memory_order_relaxed);
+  }
+
   std::size_t cellCount() const { return cells_.size(); }
   std::size_t bytes() const { return cells_.size() + spans_.size() * sizeof(Span) + row_begins_.size() * 4; }
   double side() const { return side_; }
@@ -76,6 +85,7 @@ class InfluenceField : public Derived::Thing {
     EdgePosition edge;
     std::uint16_t first, count;
   };
+  static constexpr int kMostCredit = 1024;
   static constexpr int kLongest = 8;  ///< longer ones are several
 
   Look beyond(double column, double row) const;
@@ -90,16 +100,32 @@ class InfluenceField : public Derived::Thing {
   std::vector<std::uint8_t> cells_;
   std::vector<Span> spans_;  ///< row by row, in each from left to right
   std::vector<std::uint32_t> row_begins_;
+  mutable std::atomic<int> credit_{kMostCredit};
 };
 
-/// For a query that the field may answer: builds it once such queries have paid for it, until then null. Of few edges,
-/// which are tested at once, and of the largest of polygons there is none.
-[[gnu::cold]] const InfluenceField* payForField(const PolygonData& polygon);
-inline const InfluenceField* fieldIfPaid(const PolygonData& polygon) {
+/// Of few edges, which are tested at once, of degenerate polygons and of the largest there is no field.
+inline bool hasField(const PolygonData& polygon) {
   constexpr std::size_t kFewest = 64;
-  if (polygon.path.size() < kFewest || !polygon.fitsUnit()) return nullptr;
-  const auto* ready = static_cast<const InfluenceField*>(topOf(polygon).field.ifBuilt());
-  return ready != nullptr ? ready : payForField(polygon);
+  return polygon.path.size() >= kFewest && polygon.fitsUnit() && !polygon.isDegenerate();
+}
+
+/// Built at the first call, of a polygon that has one.
+const InfluenceField& fieldOf(const PolygonData& polygon);
+
+/// The field if it has been built, and is worth asking, otherwise null.
+inline const InfluenceField* fieldIfBuilt(const PolygonData& polygon) {
+  const Hierarchy* top = topIfBuilt(polygon);
+  if (top == nullptr) return nullptr;
+  const auto* ready = static_cast<const InfluenceField*>(top->field.ifBuilt());
+  return ready != nullptr && ready->isWorthAsking() ? ready : nullptr;
+}
+
+/// For a query that the field may answer: builds it once such queries have paid for it.
+[[gnu::cold]] void payForField(const PolygonData& polygon);
+inline const InfluenceField* fieldIfPaid(const PolygonData& polygon) {
+  if (!hasField(polygon)) return nullptr;
+  if (topOf(polygon).field.ifBuilt() == nullptr) payForField(polygon);
+  return fieldIfBuilt(polygon);
 }
 
 }  // namespace tricover::detail

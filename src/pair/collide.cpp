@@ -2,6 +2,7 @@
 #include "pair/collide.h"
 
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -23,10 +24,14 @@ namespace {
   return collideByHierarchy(placement.inUnits(defect), test, lookahead, wanted);
 }
 
-/// What bounding and inner discs tell, if they decide.
-std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double margin, const CertificateWish& wish) {
+/// What bounding and inner discs, and a field, tell, if they decide.
+std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double defect, double margin,
+                                          const CertificateWish& wish) {
   const double gap = gapOfDiscs(placement, margin);
   if (gap >= 0) return Outcome{false, gap, wish.edge_a, wish.edge_b};
+  const double in_field = gapInField(placement, defect);
+  if (in_field < 0 || in_field > margin + wish.lookahead)
+    return Outcome{in_field < 0, std::abs(in_field), wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, margin);
   if (depth >= 0) return Outcome{true, depth, wish.edge_a, wish.edge_b};
   return std::nullopt;
@@ -55,6 +60,8 @@ Outcome findCloseCertificate(const PosedPair& placement, double defect, const Co
                                                  Certificate* backing_off) {
   const PosedPair placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
+  const double in_field = gapInField(placement, defect);
+  if (in_field < 0 || in_field > options.margin) return in_field < 0;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (backing_off != nullptr) countDown(*backing_off, a, pose_a, b, pose_b);
   return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;
@@ -84,7 +91,7 @@ bool collide(const PolygonData& a, const Pose& pose_a, const PolygonData& b, con
 Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                         double defect, const CollideOptions& options, const CertificateWish& wish) {
   const PosedPair placement(a, pose_a, b, pose_b);
-  if (const auto found = certificateOfDiscs(placement, options.margin, wish)) return *found;
+  if (const auto found = certificateOfDiscs(placement, defect, options.margin, wish)) return *found;
   return findCloseCertificate(placement, defect, options, wish);
 }
 
@@ -98,7 +105,7 @@ std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, c
   }
   const CertificateWish wish{recollection.lookahead, true, cache.first_edge, cache.second_edge};
   const PosedPair placement(a, pose_a, b, pose_b);
-  if (const auto found = certificateOfDiscs(placement, options.margin, wish)) {
+  if (const auto found = certificateOfDiscs(placement, defect, options.margin, wish)) {
     cache.back_off.left = 1;  // discs cost no more than recall(), as long as they decide
     return found->collides;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hierarchy/simd.h"
+#include "pair/discs.h"
 #include "pair/edge_test.h"
 #include "pair/meet_in_field.h"
 #include "pair/outcome.h"
@@ -14,20 +15,11 @@
 
 namespace tricover::detail {
 
-/// Of b's unit and a's, from which on a field of a is asked.
-constexpr double kSmallBeside = 0.125;
-
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
                                                  Outcome& outcome) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
-  // A body that is small beside a map.
-  if (at.scale <= kSmallBeside && wanted != Wanted::Edges)
-    if (const InfluenceField* field = fieldIfPaid(test.a)) {
-      const Meeting meeting = meetInField(*field, at, limit, wanted, test, outcome);
-      if (meeting != Meeting::Unknown) return meeting;
-    }
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.region, b.region, at);
   if (gap > limit) {
@@ -64,11 +56,20 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
 /// discs may meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitMap& at, const EdgeTest& test, double lookahead,
                                                          Wanted wanted) {
-  if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
-    return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
-  const Meeting meeting = meetAtOnce(at, limit, wanted, test, outcome);
+  Meeting meeting = Meeting::Unknown;
+  // A body that is small beside a map.
+  if (isSmallBeside(test.a, test.b) && wanted != Wanted::Edges)
+    if (const InfluenceField* field = fieldIfPaid(test.a)) {
+      meeting = meetInField(*field, at, limit, wanted, test, outcome);
+      field->count(meeting != Meeting::Unknown);
+    }
+  if (meeting == Meeting::Unknown) {
+    if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
+      return collideDegenerate(at, test, lookahead, wanted);
+    meeting = meetAtOnce(at, limit, wanted, test, outcome);
+  }
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance = at.inWorld(outcome.clearance, test.a.unit);

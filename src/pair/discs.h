@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy/hierarchy.h"
+#include "hierarchy/influence_field.h"
 #include "pair/posed_pair.h"
 
 namespace tricover::detail {
@@ -52,6 +52,28 @@ inline double depthOfDiscs(const PosedPair& pair, double margin) {
   const double square = dot(way, way);
   if (!(squarable(reach) && roundedUp<kDiscSquares>(square) < reach * reach)) return -1;
   return std::max(roundedDown<2>(sum) - roundedUp<2>(std::sqrt(square)), 0.0);
+}
+
+/// Whether a field of a may serve: b is that much smaller.
+inline bool isSmallBeside(const PolygonData& a, const PolygonData& b) { return 8 * b.unit <= a.unit; }
+
+/// How far all of the disc around b is from a's outline, by a's field at b's S: outside of a's region, or inside with
+/// the sign reversed; 0 where the field doesn't tell. The same errors as UnitMap's.
+inline double gapInField(const PosedPair& pair, double defect) {
+  const PolygonData &a = pair.a, &b = pair.b;
+  if (!isSmallBeside(a, b)) return 0;
+  const InfluenceField* field = fieldIfBuilt(a);
+  if (field == nullptr) return 0;
+  const Double2 at = pair.inUnitsOfA(pair.way()), away = absolute(at);
+  const double error = 1.1 * pair.error() * a.inverse_unit +
+                       (kMapRounding * kUnitRoundoff + 1.1 * defect) * (away[0] + away[1] + 4) + kTiny;
+  const double stretched = (1 + kLargestDefect) * (1 + kLargestDefect);
+  const InfluenceField::Look look = field->at(at[0], at[1]);
+  const double free = look.free - b.reach * (stretched * stretched) * a.inverse_unit - error;
+  if (!(free > 0)) return 0;
+  field->count(true);
+  const double gap = roundedDown<3>(free * a.unit * (1 - kLargestDefect));
+  return look.inside ? -gap : gap;
 }
 
 }  // namespace tricover::detail

@@ -120,7 +120,7 @@ Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit
     outcome.clearance = free;
     return look.inside ? Meeting::Meet : Meeting::Apart;
   }
-  if (b.isDegenerate()) return Meeting::Unknown;
+  if (b.isDegenerate() || b.fill.is_complement) return Meeting::Unknown;
   const Box& box = topOf(b).region;
   Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
   if (meeting != Meeting::Unknown) return meeting;

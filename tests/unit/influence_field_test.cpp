@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the cells of a field say, beside all edges; and that no answer depends on it.
+#include "hierarchy/influence_field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "numbers/segment.h"
+#include "random.h"
+#include "shapes.h"
+#include "stages.h"
+#include "test_scale.h"
+#include "tricover/collide.h"
+#include "tricover/locate.h"
+#include "tricover/segment.h"
+
+namespace tricover::support {
+namespace {
+
+using detail::InfluenceField;
+using detail::PolygonData;
+using detail::Stages;
+
+/// Islands on a grid, some of which touch, overlap, lie upon each other, or are slits.
+std::vector<Ring> islands(Random& random) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 30; ++i) {
+    const Vec2 at(random.integer(-8, 8), random.integer(-8, 8));
+    const double w = random.integer(1, 3), h = random.oneIn(4) ? 0 : random.integer(1, 3);
+    rings.push_back({at, at + Vec2(w, 0), at + Vec2(w, h), at + Vec2(0, h)});
+    if (random.oneIn(8)) rings.push_back(rings.back());
+  }
+  return rings;
+}
+
+Polygon anyOutline(Random& random) {
+  const FillRule rule = random.coin() ? FillRule::EvenOdd : FillRule::NonZero;
+  std::vector<Ring> rings;
+  if (random.coin()) {
+    rings = islands(random);
+  } else if (random.coin()) {
+    rings = {star(random, random.integer(64, 400), random.coin() ? 0.97 : random.real(0.1, 0.9), 1)};
+  } else {
+    Ring soup;
+    for (int n = random.integer(64, 90); n > 0; --n) soup.emplace_back(random.real(-1, 1), random.real(-1, 1));
+    rings = {soup};
+  }
+  if (random.oneIn(4))
+    for (Ring& ring : rings)
+      for (Vec2& p : ring) p.y() *= std::pow(10, random.real(-6, -5));  // a strip
+  return Polygon(rings, rule);
+}
+
+double distanceInUnits(const PolygonData& polygon, const Vec2& p) {
+  double least = 1e300;
+  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
+    for (auto e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e)
+      least = std::min(least, detail::squaredDistanceToSegment(p, polygon.inUnits(polygon.path[e]),
+                                                               polygon.inUnits(polygon.path[e + 1])));
+  return std::sqrt(least);
+}
+
+TEST(InfluenceField, CellsKnowHowFarTheOutlineIsAndOnWhichSide) {
+  int free = 0, inside = 0, near = 0, outside_of_grid = 0;
+  for (int i = 0; i < scaledCount(120); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double size = random.oneIn(3) ? std::pow(10, random.real(-300, 300)) : 1;
+    const Polygon polygon = anyOutline(random).translated({random.real(-9, 9), 0}).scaled(size);
+    const PolygonData& data = polygon.data();
+    const InfluenceField field(data);
+    EXPECT_LE(field.bytes(), 40 * data.path.size() + 4096) << i;
+    for (int k = 0; k < 200; ++k) {
+      const auto edge = static_cast<std::size_t>(random.integer(0, static_cast<int>(data.path.size()) - 1));
+      const double reach = random.oneIn(3) ? 3 : 1;
+      Vec2 p(random.real(-reach, reach), random.real(-reach, reach));
+      if (random.coin())
+        p = data.inUnits(data.path[edge]) + std::pow(10, random.real(-15, -1)) * direction(random.real(0, 6.3));
+      const InfluenceField::Look look = field.at(p.x(), p.y());
+      const double distance = distanceInUnits(data, p);
+      EXPECT_LE(look.free, distance * (1 + 1e-12) + 1e-12) << i;
+      EXPECT_GE(look.near, distance * (1 - 1e-12) - 1e-12) << i;
+      const bool is_inside = locate(polygon, polygon.origin() + p * data.unit) == Location::Inside;
+      if (look.free > 1e-9) {
+        EXPECT_EQ(look.inside, is_inside) << i;
+      }
+      free += look.free > 0, inside += look.free > 1e-9 && look.inside, near += look.near < 0.3;
+      outside_of_grid += look.near == InfluenceField::kNone;
+    }
+  }
+  const int few = scaledCount(120) * 200 / 120;
+  EXPECT_GE(free, few);
+  EXPECT_GE(inside, few);
+  EXPECT_GE(near, few);
+  EXPECT_GE(outside_of_grid, few);
+}
+
+/// Each edge that comes into a box is shown.
+TEST(InfluenceField, ShowsAllEdgesNearABox) {
+  int shown = 0, left_out = 0;
+  for (int i = 0; i < scaledCount(100); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Polygon polygon = anyOutline(random);
+    const PolygonData& data = polygon.data();
+    const InfluenceField field(data);
+    for (int k = 0; k < 20; ++k) {
+      const Vec2 middle(random.real(-1, 1), random.real(-1, 1)), half(random.unit() * 0.2, random.unit() * 0.2);
+      std::vector<bool> is_shown(data.path.size());
+      field.forEachEdge(middle, half, [&](detail::EdgePosition e) { return is_shown[e] = true; });
+      for (std::size_t r = 0; r < data.ringCount(); ++r)
+        for (auto e = data.edgeBegin(r); e < data.edgeEnd(r); ++e) {
+          const Vec2 v = data.inUnits(data.path[e]), w = data.inUnits(data.path[e + 1]);
+          const Vec2 nearest = detail::nearestOnSegment(middle, v, w) - middle;
+          (is_shown[e] ? shown : left_out) += 1;
+          if ((nearest.cwiseAbs().array() <= half.array()).all()) {
+            EXPECT_TRUE(is_shown[e]) << i;
+          }
+        }
+    }
+  }
+  EXPECT_GE(std::min(shown, left_out), scaledCount(100));
+}
+
+/// Small bodies of all kinds in it, with margins, under poses that miss orthonormality.
+TEST(InfluenceField, NoAnswerDependsOnIt) {
+  int hits = 0, misses = 0, fields = 0;
+  for (int i = 0; i < scaledCount(150); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    Polygon with = anyOutline(random);
+    if (random.oneIn(4)) with = with.scaled(std::pow(10, random.real(-150, 150)));
+    const double radius = with.radius();
+    if (random.oneIn(4) && with.fillRule() == FillRule::EvenOdd) with = with.complement();
+    const Polygon without = afresh(with);
+    const double size = radius * std::pow(10, random.real(-3, -1));
+    const Ring ring = star(random, random.integer(3, 12), 0.3, 1);
+    const Polygon small = random.oneIn(5) ? point({0, 0}) : Polygon({scaled(ring, size)});
+    const Pose pose_a = pose(random.real(0, 6), radius, -radius);
+    for (int k = 0; k < 60; ++k) {
+      Pose pose_b = pose(random.real(0, 6), 0, 0);
+      if (random.oneIn(4)) pose_b = distorted(random, pose_b);
+      const EdgeIndex edge = anyEdge(random, with);
+      const Vec2 away = random.coin() ? radius * Vec2(random.real(-1, 1), random.real(-1, 1))
+                                      : size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      pose_b.translation() = pose_a * (random.coin() ? with.edgeStart(edge) : with.origin()) + away;
+      const CollideOptions options{random.oneIn(3) ? random.unit() * size : 0, 0};
+      bool expected = false;
+      {
+        const UpTo trees(Stages::Hierarchy);
+        expected = collide(without, pose_a, small, pose_b, options);
+      }
+      EXPECT_EQ(collide(with, pose_a, small, pose_b, options), expected) << i << ", " << k;
+      PairCache cache;
+      for (int again = 0; again < 3; ++again)
+        EXPECT_EQ(collide(with, pose_a, small, pose_b, cache, options), expected) << i << ", " << k;
+      ++(expected ? hits : misses);
+    }
+    const detail::Hierarchy& top = detail::topOf(with.data());
+    fields += top.field.ifBuilt() != nullptr;
+    EXPECT_EQ(detail::topOf(without.data()).field.ifBuilt(), nullptr) << i;
+  }
+  EXPECT_GE(std::min(hits, misses), scaledCount(150) * 60 / 10);
+  EXPECT_GE(fields, scaledCount(150) / 2);
+}
+
+}  // namespace
+}  // namespace tricover::support
