@@ -29,9 +29,8 @@ std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double def
                                           const CertificateWish& wish) {
   const double gap = gapOfDiscs(placement, margin);
   if (gap >= 0) return Outcome{false, gap, wish.edge_a, wish.edge_b};
-  const double in_field = gapInField(placement, defect);
-  if (in_field < 0 || in_field > margin + wish.lookahead)
-    return Outcome{in_field < 0, std::abs(in_field), wish.edge_a, wish.edge_b};
+  const double in_field = gapInField(placement, defect, margin + wish.lookahead);
+  if (in_field != 0) return Outcome{in_field < 0, std::abs(in_field), wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, margin);
   if (depth >= 0) return Outcome{true, depth, wish.edge_a, wish.edge_b};
   return std::nullopt;
@@ -60,8 +59,8 @@ Outcome findCloseCertificate(const PosedPair& placement, double defect, const Co
                                                  Certificate* backing_off) {
   const PosedPair placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
-  const double in_field = gapInField(placement, defect);
-  if (in_field < 0 || in_field > options.margin) return in_field < 0;
+  const double in_field = gapInField(placement, defect, options.margin);
+  if (in_field != 0) return in_field < 0;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (backing_off != nullptr) countDown(*backing_off, a, pose_a, b, pose_b);
   return collideClose(placement, defect, EdgeTest(placement, options), 0, Wanted::Answer).collides;

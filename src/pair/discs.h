@@ -57,23 +57,34 @@ inline double depthOfDiscs(const PosedPair& pair, double margin) {
 /// Whether a field of a may serve: b is that much smaller.
 inline bool isSmallBeside(const PolygonData& a, const PolygonData& b) { return 8 * b.unit <= a.unit; }
 
-/// How far all of the disc around b is from a's outline, by a's field at b's S: outside of a's region, or inside with
-/// the sign reversed; 0 where the field doesn't tell. The same errors as UnitMap's.
-inline double gapInField(const PosedPair& pair, double defect) {
+/// By a's field, at the centre of a disc in b, or at b's S: a lower bound of the distance, if it is above the margin;
+/// or how far points may move until the regions don't meet, with the sign reversed; otherwise 0. The same errors as
+/// UnitMap's.
+inline double gapInField(const PosedPair& pair, double defect, double margin) {
   const PolygonData &a = pair.a, &b = pair.b;
   if (!isSmallBeside(a, b)) return 0;
   const InfluenceField* field = fieldIfBuilt(a);
   if (field == nullptr) return 0;
-  const Double2 at = pair.inUnitsOfA(pair.way()), away = absolute(at);
+  const InnerDisc inner(b);
+  const Double2 at = pair.inUnitsOfA(pair.way(a.origin, inner.center)), away = absolute(at);
+  const InfluenceField::Look look = field->at(at[0], at[1]);
   const double error = 1.1 * pair.error() * a.inverse_unit +
                        (kMapRounding * kUnitRoundoff + 1.1 * defect) * (away[0] + away[1] + 4) + kTiny;
-  const double stretched = (1 + kLargestDefect) * (1 + kLargestDefect);
-  const InfluenceField::Look look = field->at(at[0], at[1]);
-  const double free = look.free - b.reach * (stretched * stretched) * a.inverse_unit - error;
-  if (!(free > 0)) return 0;
+  // Both poses may stretch and shrink lengths.
+  constexpr double kStretched = (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + 0x1p-40);
+  double gap = 0;
+  if (look.inside ? inner.radius >= 0 : inner.radius > 0) {
+    const double within = inner.radius * a.inverse_unit / kStretched - look.near;
+    gap = std::min(error - std::max(look.inside ? look.free : 0, within), 0.0);
+  }
+  if (!(gap < 0)) {
+    const double around = (b.reach + (inner.center - b.origin).norm()) * a.inverse_unit * kStretched;
+    const double free = look.free - around - error;
+    if (!(free * a.unit > (look.inside ? 0 : margin * kStretched))) return 0;
+    gap = look.inside ? -free : free;
+  }
   field->count(true);
-  const double gap = roundedDown<3>(free * a.unit * (1 - kLargestDefect));
-  return look.inside ? -gap : gap;
+  return gap * a.unit / kStretched;
 }
 
 }  // namespace tricover::detail

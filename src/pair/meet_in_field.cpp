@@ -114,12 +114,6 @@ Outcome meetByEdges(const InfluenceField& field, const PlacedBox& box, const Edg
 Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
                     Outcome& outcome) {
   const PolygonData& b = test.b;
-  const InfluenceField::Look look = field.at(at.tx, at.ty);
-  const double free = look.free - at.reach(b.reach) * (1 + kLargestDefect) - at.error;
-  if (free > (look.inside ? 0 : limit)) {
-    outcome.clearance = free;
-    return look.inside ? Meeting::Meet : Meeting::Apart;
-  }
   if (b.isDegenerate() || b.fill.is_complement) return Meeting::Unknown;
   const Box& box = topOf(b).region;
   Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
