@@ -194,28 +194,25 @@ InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(poly
   addSpans(polygon);
 }
 
-/// Counted, and sorted into rows.
+/// Counted, then placed.
 void InfluenceField::addSpans(const PolygonData& polygon) {
   const Grid grid{low_, inverse_side_, static_cast<int>(columns_), static_cast<int>(rows_)};
-  row_begins_.resize(static_cast<std::size_t>(grid.rows) + 1);
+  blocks_ = (grid.columns - 1) / kBlock + 1;
+  begins_.resize(blockOf(grid.rows, 0) + 1);
   const auto forEachSpan = [&](auto visit) {
     forEachEdgeOf(polygon, [&](EdgePosition e) {
       grid.forEachTouched(grid.edge(polygon, e), [&](int row, int first, int last) {
         for (int k = first; k <= last; k += kLongest)
-          visit(static_cast<std::size_t>(row), e, k, std::min(last - k + 1, kLongest));
+          visit(blockOf(row, k),
+                Span{e, static_cast<std::uint16_t>(k), static_cast<std::uint16_t>(std::min(last - k + 1, kLongest))});
       });
     });
   };
-  forEachSpan([&](std::size_t row, EdgePosition, int, int) { ++row_begins_[row + 1]; });
-  for (std::size_t row = 0; row + 1 < row_begins_.size(); ++row) row_begins_[row + 1] += row_begins_[row];
-  spans_.resize(row_begins_.back());
-  std::vector<std::uint32_t> ends(row_begins_.begin(), row_begins_.end() - 1);
-  forEachSpan([&](std::size_t row, EdgePosition e, int first, int count) {
-    spans_[ends[row]++] = {e, static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(count)};
-  });
-  for (std::size_t row = 0; row < ends.size(); ++row)
-    std::sort(spans_.begin() + row_begins_[row], spans_.begin() + row_begins_[row + 1],
-              [](const Span& s, const Span& t) { return s.first < t.first; });
+  forEachSpan([&](std::size_t block, const Span&) { ++begins_[block + 1]; });
+  for (std::size_t block = 0; block + 1 < begins_.size(); ++block) begins_[block + 1] += begins_[block];
+  spans_.resize(begins_.back());
+  std::vector<std::uint32_t> ends(begins_.begin(), begins_.end() - 1);
+  forEachSpan([&](std::size_t block, const Span& span) { spans_[ends[block]++] = span; });
 }
 
 const InfluenceField& fieldOf(const PolygonData& polygon) { return topOf(polygon).field.made<InfluenceField>(polygon); }

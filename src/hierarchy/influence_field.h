@@ -43,12 +43,13 @@ class InfluenceField : public Derived::Thing {
   void forEachEdge(const Vec2& middle, const Vec2& half, Visit visit) const {
     const Vec2 at = (middle - low_) * inverse_side_, reach = half * inverse_side_;
     const int first = columnAt(at.x() - reach.x()), last = columnAt(at.x() + reach.x());
+    const int first_block = std::max(first - kLongest + 1, 0) / kBlock, last_block = last / kBlock;
     for (int row = rowAt(at.y() - reach.y()), end = rowAt(at.y() + reach.y()); row <= end; ++row) {
-      const Span* span = spans_.data() + row_begins_[static_cast<std::size_t>(row)];
-      const Span* const row_end = spans_.data() + row_begins_[static_cast<std::size_t>(row) + 1];
-      span = std::partition_point(span, row_end, [&](const Span& s) { return s.first + kLongest <= first; });
-      for (; span != row_end && span->first <= last; ++span)
-        if (span->first + span->count > first && !visit(span->edge)) return;
+      const std::size_t block = blockOf(row, 0) + static_cast<std::size_t>(first_block);
+      const Span* span = spans_.data() + begins_[block];
+      const Span* const spans_end = spans_.data() + begins_[blockOf(row, 0) + static_cast<std::size_t>(last_block) + 1];
+      for (; span != spans_end; ++span)
+        if (span->first <= last && span->first + span->count > first && !visit(span->edge)) return;
     }
   }
   /// So many rows such a box has.
@@ -63,7 +64,9 @@ class InfluenceField : public Derived::Thing {
   }
 
   std::size_t cellCount() const { return cells_.size(); }
-  std::size_t bytes() const { return cells_.size() + spans_.size() * sizeof(Span) + row_begins_.size() * 4; }
+  std::size_t bytes() const {
+    return cells_.size() + spans_.size() * sizeof(Span) + begins_.size() * sizeof(std::uint32_t);
+  }
   double side() const { return side_; }
 
   /// Where no edge is known.
@@ -87,6 +90,11 @@ class InfluenceField : public Derived::Thing {
   };
   static constexpr int kMostCredit = 1024;
   static constexpr int kLongest = 8;  ///< longer ones are several
+  static constexpr int kBlock = 16;   ///< so many columns are a block: spans belong to that of their first
+  std::size_t blockOf(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks_) +
+           static_cast<std::size_t>(column / kBlock);
+  }
 
   Look beyond(double column, double row) const;
   int columnAt(double column) const { return static_cast<int>(std::clamp(column, 0.0, columns_ - 1)); }
@@ -96,10 +104,11 @@ class InfluenceField : public Derived::Thing {
   Vec2 low_;
   double side_, inverse_side_;
   double columns_, rows_;
+  int blocks_;  ///< in a row
   bool is_complement_;
   std::vector<std::uint8_t> cells_;
-  std::vector<Span> spans_;  ///< row by row, in each from left to right
-  std::vector<std::uint32_t> row_begins_;
+  std::vector<Span> spans_;            ///< row by row, in each block by block
+  std::vector<std::uint32_t> begins_;  ///< of each row's blocks, and the end
   mutable std::atomic<int> credit_{kMostCredit};
 };
 

@@ -93,11 +93,13 @@ struct PlacedBox {
 };
 
 /// By the edges of a that are in cells near b, whose edges are few.
-Outcome meetByEdges(const InfluenceField& field, const PlacedBox& box, const EdgeTest& test) {
+Outcome meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const EdgeTest& test) {
   const PolygonData &a = test.a, &b = test.b;
   Outcome outcome;
+  bool is_any_near = false;
   field.forEachEdge(box.middle, box.half(), [&](EdgePosition i) {
     if (!box.mayMeet(a.inUnits(a.path[i]), a.inUnits(a.path[i + 1]))) return true;
+    is_any_near = true;
     for (std::size_t ring = 0; ring < b.ringCount(); ++ring)
       for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring); ++j)
         if (test(i, j)) {
@@ -106,7 +108,12 @@ Outcome meetByEdges(const InfluenceField& field, const PlacedBox& box, const Edg
         }
     return true;
   });
-  return outcome.collides ? outcome : findContainment(test.pair);
+  if (outcome.collides) return outcome;
+  // Without an edge in the box all of it is on one side.
+  const InfluenceField::Look look = field.at(box.middle.x(), box.middle.y());
+  if (is_any_near || !(look.free > at.error)) return findContainment(test.pair);
+  outcome.collides = look.inside;
+  return outcome;
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit
   const PlacedBox placed(box, at, limit);
   if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(placed.half().y()) < kFewRows))
     return Meeting::Unknown;
-  outcome = meetByEdges(field, placed, test);
+  outcome = meetByEdges(field, at, placed, test);
   return outcome.collides ? Meeting::Meet : Meeting::Apart;
 }
 
