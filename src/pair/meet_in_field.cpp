@@ -54,19 +54,42 @@ Meeting meetByCover(const InfluenceField& field, const UnitMap& at, double limit
   return is_inside ? Meeting::Meet : Meeting::Apart;
 }
 
-/// Whether a centre of a disc in b is in a, or an edge of a is in a disc.
-Meeting meetInside(const InfluenceField& field, const UnitMap& at, const InnerDiscs& discs, double& clearance) {
-  for (int k = 0; k < discs.count; ++k) {
-    const double x = discs.x[k], y = discs.y[k];
-    const InfluenceField::Look look = field.at(at.mappedX(x, y), at.mappedY(x, y));
-    const double depth =
-        std::max(look.inside ? look.free : 0, discs.radius[k] * at.scale * (1 - at.rounding) - look.near);
-    if (!(depth > at.error)) continue;
-    clearance = depth - at.error;
-    return Meeting::Meet;
+/// Discs in b, in a's units, smaller by what they are off by. None before they are paid for.
+class InnerPlaces {
+ public:
+  InnerPlaces(const PolygonData& b, const UnitMap& at) : error_(at.error) {
+    const InnerDiscs* discs = innerDiscsIfPaid(b);
+    if (discs == nullptr) return;
+    for (; count_ < discs->count; ++count_) {
+      const double x = discs->x[count_], y = discs->y[count_];
+      centers_[count_] = {at.mappedX(x, y), at.mappedY(x, y)};
+      radii_[count_] = discs->radius[count_] * at.scale * (1 - at.rounding) - at.error;
+    }
   }
-  return Meeting::Unknown;
-}
+
+  /// How deep a centre is in a, or an edge of a in a disc; not positive where the field tells neither.
+  double depthIn(const InfluenceField& field) const {
+    double depth = 0;
+    for (int k = 0; k < count_ && !(depth > 0); ++k) {
+      const InfluenceField::Look look = field.at(centers_[k].x(), centers_[k].y());
+      depth = std::max(look.inside ? look.free - error_ : 0, radii_[k] - look.near);
+    }
+    return depth;
+  }
+  /// Whether a segment surely meets a disc.
+  bool meet(const Vec2& v, const Vec2& w) const {
+    for (int k = 0; k < count_; ++k)
+      if (radii_[k] > 0 && squaredDistanceToSegment(centers_[k], v, w) < radii_[k] * radii_[k] * (1 - 0x1p-40))
+        return true;
+    return false;
+  }
+
+ private:
+  Vec2 centers_[kLanes];
+  double radii_[kLanes];
+  double error_;
+  int count_ = 0;
+};
 
 /// A box in a's units, widened by what decides and by all errors.
 struct PlacedBox {
@@ -93,13 +116,19 @@ struct PlacedBox {
 };
 
 /// By the edges of a that are in cells near b, whose edges are few.
-Outcome meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const EdgeTest& test) {
+Outcome meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const InnerPlaces& inner,
+                    const EdgeTest& test) {
   const PolygonData &a = test.a, &b = test.b;
   Outcome outcome;
   bool is_any_near = false;
   field.forEachEdge(box.middle, box.half(), [&](EdgePosition i) {
-    if (!box.mayMeet(a.inUnits(a.path[i]), a.inUnits(a.path[i + 1]))) return true;
+    const Vec2 v = a.inUnits(a.path[i]), w = a.inUnits(a.path[i + 1]);
+    if (!box.mayMeet(v, w)) return true;
     is_any_near = true;
+    if (inner.meet(v, w)) {
+      outcome.collides = true;
+      return false;
+    }
     for (std::size_t ring = 0; ring < b.ringCount(); ++ring)
       for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring); ++j)
         if (test(i, j)) {
@@ -123,16 +152,18 @@ Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit
   const PolygonData& b = test.b;
   if (b.isDegenerate() || b.fill.is_complement) return Meeting::Unknown;
   const Box& box = topOf(b).region;
-  Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
+  const Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
   if (meeting != Meeting::Unknown) return meeting;
-  if (const InnerDiscs* discs = innerDiscsIfPaid(b)) meeting = meetInside(field, at, *discs, outcome.clearance);
-  if (meeting != Meeting::Unknown) return meeting;
+  const InnerPlaces inner(b, at);
+  outcome.clearance = inner.depthIn(field);
+  if (outcome.clearance > 0) return Meeting::Meet;
+  outcome.clearance = 0;
   constexpr std::size_t kFewEdges = 16;
   constexpr double kFewRows = 48;
   const PlacedBox placed(box, at, limit);
   if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(placed.half().y()) < kFewRows))
     return Meeting::Unknown;
-  outcome = meetByEdges(field, at, placed, test);
+  outcome = meetByEdges(field, at, placed, inner, test);
   return outcome.collides ? Meeting::Meet : Meeting::Apart;
 }
 

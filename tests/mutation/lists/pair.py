@@ -99,5 +99,5 @@ MUTATIONS = [
     ("src/pair/meet_in_field.cpp", "if (look.inside != is_inside ||", "if (", "field: covering discs on both sides"),
     ("src/pair/meet_in_field.cpp", "const double reach = cover.radius() +", "const double reach = 0.5 * cover.radius() +", "field: covering discs that don't cover"),
     ("src/pair/meet_in_field.cpp", "if (is_any_near ||", "if (", "field: containment where edges are near"),
-    ("src/pair/meet_in_field.cpp", "(1 - at.rounding) - look.near);", "(1 - at.rounding) - look.free);", "field: an edge is as near as it may be"),
+    ("src/pair/meet_in_field.cpp", "radii_[k] - look.near);", "radii_[k] - look.free);", "field: an edge is as near as it may be"),
 ]
