@@ -71,7 +71,7 @@ class InfluenceField : public Derived::Thing {
 
   /// Where no edge is known.
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t kCellsOfEdge = 16, kMostCells = std::size_t{1} << 20;
+  static constexpr std::size_t kCellsOfEdge = 16, kMostCells = std::size_t{1} << 22;
 
  private:
   // A cell: whether it is inside, and 0 where the outline touches it; otherwise 1 + the number of half sides that the

@@ -10,50 +10,6 @@
 namespace tricover::detail {
 namespace {
 
-/// What covers b: as many discs as a box takes that are about as long as wide.
-class CoveringDiscs {
- public:
-  CoveringDiscs(const Box& box, const UnitMap& at) : box_(box), at_(at) {
-    const float tile = std::max(box.along * 0.25f, box.across * 0.5f);
-    along_ = std::clamp(static_cast<int>(std::ceil(box.along / tile)), 1, 4);
-    across_ = std::clamp(static_cast<int>(std::ceil(box.across / tile)), 1, 2);
-    half_along_ = box.along / static_cast<float>(along_), half_across_ = box.across / static_cast<float>(across_);
-    radius_ = std::sqrt(double{half_along_} * half_along_ + double{half_across_} * half_across_) * at.scale;
-  }
-
-  double radius() const { return radius_; }
-  int count() const { return along_ * across_; }
-  InfluenceField::Look look(const InfluenceField& field, int k) const {
-    const float u = half_along_ * static_cast<float>(2 * (k % along_) + 1 - along_);
-    const float v = half_across_ * static_cast<float>(2 * (k / along_) + 1 - across_);
-    const double x = box_.x + u * box_.ux - v * box_.uy, y = box_.y + u * box_.uy + v * box_.ux;
-    return field.at(at_.mappedX(x, y), at_.mappedY(x, y));
-  }
-
- private:
-  const Box& box_;
-  const UnitMap& at_;
-  int along_, across_;
-  float half_along_, half_across_;
-  double radius_;
-};
-
-Meeting meetByCover(const InfluenceField& field, const UnitMap& at, double limit, const Box& box, double& clearance) {
-  const CoveringDiscs cover(box, at);
-  // Floats, the box's axis and a pose that misses orthonormality: as for gaps of boxes.
-  const double reach = cover.radius() + at.rounding * (4 * at.scale) + at.error;
-  double least = InfluenceField::kNone;
-  const bool is_inside = cover.look(field, 0).inside;
-  const double enough = is_inside ? 0 : limit;
-  for (int k = 0; k < cover.count(); ++k) {
-    const InfluenceField::Look look = cover.look(field, k);
-    if (look.inside != is_inside || !(look.free - reach > enough)) return Meeting::Unknown;
-    least = std::min(least, look.free - reach);
-  }
-  clearance = least;
-  return is_inside ? Meeting::Meet : Meeting::Apart;
-}
-
 /// Discs in b, in a's units, smaller by what they are off by. None before they are paid for.
 class InnerPlaces {
  public:
@@ -149,21 +105,17 @@ Outcome meetByEdges(const InfluenceField& field, const UnitMap& at, const Placed
 
 Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
                     Outcome& outcome) {
+  constexpr std::size_t kFewEdges = 16;
+  constexpr double kMostRows = 48;
   const PolygonData& b = test.b;
   if (b.isDegenerate() || b.fill.is_complement) return Meeting::Unknown;
-  const Box& box = topOf(b).region;
-  const Meeting meeting = meetByCover(field, at, limit, box, outcome.clearance);
-  if (meeting != Meeting::Unknown) return meeting;
   const InnerPlaces inner(b, at);
-  outcome.clearance = inner.depthIn(field);
+  outcome.clearance = std::max(inner.depthIn(field), 0.0);
   if (outcome.clearance > 0) return Meeting::Meet;
-  outcome.clearance = 0;
-  constexpr std::size_t kFewEdges = 16;
-  constexpr double kFewRows = 48;
-  const PlacedBox placed(box, at, limit);
-  if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(placed.half().y()) < kFewRows))
+  const PlacedBox box(topOf(b).region, at, limit);
+  if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(box.half().y()) < kMostRows))
     return Meeting::Unknown;
-  outcome = meetByEdges(field, at, placed, inner, test);
+  outcome = meetByEdges(field, at, box, inner, test);
   return outcome.collides ? Meeting::Meet : Meeting::Apart;
 }
 

@@ -8,9 +8,8 @@
 
 namespace tricover::detail {
 
-/// What a's field tells of b, which is small beside a: at b's S for all of the disc around it, then for discs that
-/// cover b, for those inside of it, and at last by the edges in the cells that b comes near. Lengths are in a's units,
-/// as meetAtOnce()'s.
+/// What a's field tells of b, which is small beside a, after gapInField(): at the discs in b, and, of few edges, by a's
+/// edges in the cells that b's box comes near. Lengths are in a's units, as meetAtOnce()'s.
 Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
                     Outcome& outcome);
 
