@@ -155,12 +155,12 @@ InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(poly
     low_ = low_.cwiseMin(v), high = high.cwiseMax(v);
     ways += (polygon.inUnits(polygon.path[e + 1]) - v).cwiseAbs();
   });
-  // The cells, the rows, and the spans of all edges are no more than so many an edge.
+  // The cells, the rows, and the tiles of all edges are no more than so many an edge.
   const Vec2 size = high - low_;
   const auto edges = static_cast<double>(std::min(polygon.path.size(), kMostCells / kCellsOfEdge));
   const double wanted = kCellsOfEdge * edges;
   side_ = std::max({std::sqrt(size.x() * size.y() / wanted), 32 * size.maxCoeff() / wanted,
-                    (ways.y() + ways.x() / kLongest) / static_cast<double>(polygon.path.size())});
+                    ways.sum() / (kTile * static_cast<double>(polygon.path.size()))});
   inverse_side_ = 1 / side_;
   const Grid grid{low_, inverse_side_, static_cast<int>(size.x() * inverse_side_) + 1,
                   static_cast<int>(size.y() * inverse_side_) + 1};
@@ -191,28 +191,27 @@ InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(poly
   for (std::size_t k = 0; k < cell_count; ++k)
     cells_[k] =
         static_cast<std::uint8_t>(cells_[k] == kTouched ? 0 : steps[static_cast<std::size_t>(work[k])] | cells_[k]);
-  addSpans(polygon);
+  addEdges(polygon);
 }
 
 /// Counted, then placed.
-void InfluenceField::addSpans(const PolygonData& polygon) {
-  const Grid grid{low_, inverse_side_, static_cast<int>(columns_), static_cast<int>(rows_)};
-  blocks_ = (grid.columns - 1) / kBlock + 1;
-  begins_.resize(blockOf(grid.rows, 0) + 1);
-  const auto forEachSpan = [&](auto visit) {
+void InfluenceField::addEdges(const PolygonData& polygon) {
+  const auto tiles = [](double cells) { return (static_cast<int>(cells) - 1) / kTile + 1; };
+  const Grid grid{low_, inverse_side_ / kTile, tiles(columns_), tiles(rows_)};
+  const auto forEachTile = [&](auto visit) {
     forEachEdgeOf(polygon, [&](EdgePosition e) {
       grid.forEachTouched(grid.edge(polygon, e), [&](int row, int first, int last) {
-        for (int k = first; k <= last; k += kLongest)
-          visit(blockOf(row, k),
-                Span{e, static_cast<std::uint16_t>(k), static_cast<std::uint16_t>(std::min(last - k + 1, kLongest))});
+        for (int column = first; column <= last; ++column) visit(grid.at(column, row), e);
       });
     });
   };
-  forEachSpan([&](std::size_t block, const Span&) { ++begins_[block + 1]; });
-  for (std::size_t block = 0; block + 1 < begins_.size(); ++block) begins_[block + 1] += begins_[block];
-  spans_.resize(begins_.back());
-  std::vector<std::uint32_t> ends(begins_.begin(), begins_.end() - 1);
-  forEachSpan([&](std::size_t block, const Span& span) { spans_[ends[block]++] = span; });
+  tile_columns_ = static_cast<std::size_t>(grid.columns);
+  tile_begins_.resize(grid.at(0, grid.rows) + 1);
+  forEachTile([&](std::size_t tile, EdgePosition) { ++tile_begins_[tile + 1]; });
+  for (std::size_t tile = 0; tile + 1 < tile_begins_.size(); ++tile) tile_begins_[tile + 1] += tile_begins_[tile];
+  tile_edges_.resize(tile_begins_.back());
+  std::vector<std::uint32_t> ends(tile_begins_.begin(), tile_begins_.end() - 1);
+  forEachTile([&](std::size_t tile, EdgePosition e) { tile_edges_[ends[tile]++] = e; });
 }
 
 const InfluenceField& fieldOf(const PolygonData& polygon) { return topOf(polygon).field.made<InfluenceField>(polygon); }

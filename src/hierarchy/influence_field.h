@@ -42,14 +42,12 @@ class InfluenceField : public Derived::Thing {
   template <typename Visit>
   void forEachEdge(const Vec2& middle, const Vec2& half, Visit visit) const {
     const Vec2 at = (middle - low_) * inverse_side_, reach = half * inverse_side_;
-    const int first = columnAt(at.x() - reach.x()), last = columnAt(at.x() + reach.x());
-    const int first_block = std::max(first - kLongest + 1, 0) / kBlock, last_block = last / kBlock;
-    for (int row = rowAt(at.y() - reach.y()), end = rowAt(at.y() + reach.y()); row <= end; ++row) {
-      const std::size_t block = blockOf(row, 0) + static_cast<std::size_t>(first_block);
-      const Span* span = spans_.data() + begins_[block];
-      const Span* const spans_end = spans_.data() + begins_[blockOf(row, 0) + static_cast<std::size_t>(last_block) + 1];
-      for (; span != spans_end; ++span)
-        if (span->first <= last && span->first + span->count > first && !visit(span->edge)) return;
+    const std::size_t first = tileOf(at.x() - reach.x(), columns_), last = tileOf(at.x() + reach.x(), columns_);
+    const std::size_t end = tileOf(at.y() + reach.y(), rows_);
+    for (std::size_t row = tileOf(at.y() - reach.y(), rows_); row <= end; ++row) {
+      const std::uint32_t row_end = tile_begins_[row * tile_columns_ + last + 1];
+      for (std::uint32_t k = tile_begins_[row * tile_columns_ + first]; k < row_end; ++k)
+        if (!visit(tile_edges_[k])) return;
     }
   }
   /// So many rows such a box has.
@@ -65,7 +63,7 @@ class InfluenceField : public Derived::Thing {
 
   std::size_t cellCount() const { return cells_.size(); }
   std::size_t bytes() const {
-    return cells_.size() + spans_.size() * sizeof(Span) + begins_.size() * sizeof(std::uint32_t);
+    return cells_.size() + tile_edges_.size() * sizeof(EdgePosition) + tile_begins_.size() * sizeof(std::uint32_t);
   }
   double side() const { return side_; }
 
@@ -83,32 +81,24 @@ class InfluenceField : public Derived::Thing {
   /// their middles. That one is next to a marked one: 2 diagonals, and the same rounding.
   static constexpr double kFar = 2 * 1.4142135623730951 + 0x1p-10;
 
-  /// Cells of a row that an edge touches, one after another.
-  struct Span {
-    EdgePosition edge;
-    std::uint16_t first, count;
-  };
   static constexpr int kMostCredit = 1024;
-  static constexpr int kLongest = 8;  ///< longer ones are several
-  static constexpr int kBlock = 16;   ///< so many columns are a block: spans belong to that of their first
-  std::size_t blockOf(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks_) +
-           static_cast<std::size_t>(column / kBlock);
-  }
+  /// A tile is so many cells wide and high, and has the edges that touch it.
+  static constexpr int kTile = 4;
 
   Look beyond(double column, double row) const;
-  int columnAt(double column) const { return static_cast<int>(std::clamp(column, 0.0, columns_ - 1)); }
-  int rowAt(double row) const { return static_cast<int>(std::clamp(row, 0.0, rows_ - 1)); }
-  void addSpans(const PolygonData& polygon);
+  static std::size_t tileOf(double at, double cells) {
+    return static_cast<std::size_t>(std::clamp(at, 0.0, cells - 1)) / kTile;
+  }
+  void addEdges(const PolygonData& polygon);
 
   Vec2 low_;
   double side_, inverse_side_;
   double columns_, rows_;
-  int blocks_;  ///< in a row
   bool is_complement_;
   std::vector<std::uint8_t> cells_;
-  std::vector<Span> spans_;            ///< row by row, in each block by block
-  std::vector<std::uint32_t> begins_;  ///< of each row's blocks, and the end
+  std::size_t tile_columns_;
+  std::vector<std::uint32_t> tile_begins_;  ///< of each tile's edges, and the end
+  std::vector<EdgePosition> tile_edges_;
   mutable std::atomic<int> credit_{kMostCredit};
 };
 

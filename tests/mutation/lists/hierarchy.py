@@ -50,6 +50,6 @@ MUTATIONS = [
     ("src/hierarchy/influence_field.cpp", "constexpr double kPadding = 0x1p-16;", "constexpr double kPadding = -0x1p-4;", "field: cells that the outline touches at their sides"),
     ("src/hierarchy/influence_field.cpp", "const int height = std::max(nearest - 1, 0);", "const int height = nearest;", "field: distances of middles"),
     ("src/hierarchy/influence_field.cpp", "middle < edge.high()) changes", "middle <= edge.high()) changes", "field: a vertex at a row's middle counts twice"),
-    ("src/hierarchy/influence_field.h", "std::max(first - kLongest + 1, 0) / kBlock", "first / kBlock", "field: spans that begin in the block before"),
+    ("src/hierarchy/influence_field.h", "tile_columns_ + last + 1]", "tile_columns_ + last]", "field: edges of the last tile"),
     ("src/hierarchy/influence_field.h", "? kFar * side_ + kStep * side_ * steps : kNone", "? kStep * side_ * steps : kNone", "field: from middle to middle"),
 ]
