@@ -90,7 +90,7 @@ TEST(InfluenceField, CellsKnowHowFarTheOutlineIsAndOnWhichSide) {
       outside_of_grid += look.near == InfluenceField::kNone;
     }
   }
-  const int few = scaledCount(120) * 200 / 120;
+  const int few = scaledCount(120);
   EXPECT_GE(free, few);
   EXPECT_GE(inside, few);
   EXPECT_GE(near, few);
