@@ -29,7 +29,8 @@ std::vector<Ring> islands(Random& random) {
   std::vector<Ring> rings;
   for (int i = 0; i < 30; ++i) {
     const Vec2 at(random.integer(-8, 8), random.integer(-8, 8));
-    const double w = random.integer(1, 3), h = random.oneIn(4) ? 0 : random.integer(1, 3);
+    const double small = random.coin() ? 1 : 0.125;
+    const double w = small * random.integer(1, 3), h = random.oneIn(4) ? 0 : small * random.integer(1, 3);
     rings.push_back({at, at + Vec2(w, 0), at + Vec2(w, h), at + Vec2(0, h)});
     if (random.oneIn(8)) rings.push_back(rings.back());
   }
