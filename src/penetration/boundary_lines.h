@@ -103,10 +103,12 @@ class BoundaryLines {
   /// ends. At most `most`.
   double roomBetween(const Vec2& p, const LeavingLine& from, const LeavingLine& to, double gap, double most) const {
     double room = std::min({most, from.length / 2, to.length / 2});
+    const Vec2 left_of_from(-std::sin(from.angle), std::cos(from.angle)),
+        right_of_to(std::sin(to.angle), -std::cos(to.angle));
     for (const Line& line : lines_) {
       if (passes(line, p)) continue;
       Ends part = line;
-      const bool is_between = gap >= kPi || (cutLeftOf(part, p, from.angle, 1) && cutLeftOf(part, p, to.angle, -1));
+      const bool is_between = gap >= kPi || (cutBeyond(part, p, left_of_from) && cutBeyond(part, p, right_of_to));
       if (is_between) room = std::min(room, (nearestOnSegment(p, part.v, part.w) - p).norm() / 2);
     }
     return room;
@@ -117,10 +119,9 @@ class BoundaryLines {
     return (nearestOnSegment(p, line.v, line.w) - p).norm() <= 2 * resolution_;
   }
 
-  /// Leaves of a segment what is on the left (side 1) or right (-1) of a ray of p, or as near to it as lines that pass
-  /// p are. False if nothing is.
-  bool cutLeftOf(Ends& part, const Vec2& p, double angle, double side) const {
-    const Vec2 up = side * Vec2(-std::sin(angle), std::cos(angle));
+  /// Leaves of a segment what is beyond the line through p, in the direction `up` across it, or as near to the line as
+  /// lines that pass p are. False if nothing is.
+  bool cutBeyond(Ends& part, const Vec2& p, const Vec2& up) const {
     const double v = up.dot(part.v - p) + 2 * resolution_, w = up.dot(part.w - p) + 2 * resolution_;
     if (v < 0 && w < 0) return false;
     const Vec2 crossing = part.v + v / (v - w) * (part.w - part.v);

@@ -76,10 +76,10 @@ Features featuresOf(const TranslationSpace& space, const PosedPair& pair, const 
 
 /// The same for what the search found, by the convolution segment that is nearest to its limit: it is on one, unless
 /// it ended early.
-Features featuresOf(TranslationSpace& space, const ShortestParting& shortest) {
+Features featuresOf(const TranslationSpace& space, const ShortestParting& shortest) {
   const Vec2 t = shortest.limit;
   const double noise = space.noise();
-  const auto [nearest, apart] = space.nearestSegment(t);
+  const auto& [nearest, apart] = shortest.nearest;
   const bool is_on = apart <= 64 * noise;
   const EdgePosition edge = nearest.vertex_of_a ? nearest.edge_b : nearest.edge_a,
                      vertex = nearest.vertex_of_a ? nearest.edge_a : nearest.edge_b;
@@ -222,7 +222,7 @@ Penetration penetrationInOrder(const PolygonData& a, const Pose& pose_a, const P
   Penetration result{gap.depth, gap.normal, 0, false, Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), 0, 0};
   const double unit = space.frame.unit();
   const Vec2 known = gap.normal * (gap.depth / unit);
-  ShortestParting shortest{known, known, known.norm()};
+  ShortestParting shortest{known, known, known.norm(), {}};
   Features features;
   if (are_convex) {
     features = featuresOf(space, pair, gap);

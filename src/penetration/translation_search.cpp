@@ -77,7 +77,7 @@ class PartingSearch {
         noise_(space.noise()),
         resolution_(16 * noise_),
         lines_(noise_, resolution_),
-        best_{known, known, 0},
+        best_{known, known, 0, {}},
         search_(known.norm()) {}
 
   /// last: null, or where the last search ended.
@@ -118,11 +118,12 @@ class PartingSearch {
   /// much shorter is free, too. Few steps do unless the way grazes the segment.
   void reachSegment() {
     constexpr int kMostSteps = 16;
-    if (best_.limit != best_.parting) return;
-    for (int step = 0; step < kMostSteps; ++step) {
-      const double apart = space_.nearestSegment(best_.limit).apart, length = best_.limit.norm();
-      if (!(apart > resolution_)) return;
-      improve(std::max(1 - (apart - resolution_ / 2) / length, 0.0) * best_.limit, best_.parting);
+    const bool by_clearance = best_.limit == best_.parting;
+    best_.nearest = space_.nearestSegment(best_.limit);
+    for (int step = 0; by_clearance && step < kMostSteps && best_.nearest.apart > resolution_; ++step) {
+      const double left = 1 - (best_.nearest.apart - resolution_ / 2) / best_.limit.norm();
+      improve(std::max(left, 0.0) * best_.limit, best_.parting);
+      best_.nearest = space_.nearestSegment(best_.limit);
     }
   }
 

@@ -12,6 +12,7 @@ struct ShortestParting {
   Vec2 limit;          ///< the end of the shortest translation: free translations come as near to it as one likes
   Vec2 parting;        ///< a free one near it
   double lower_bound;  ///< no shorter translation parts the regions by more than a slit of the search's resolution
+  TranslationSpace::NearestSegment nearest = {};  ///< to the limit; of a search alone
 };
 
 /// Searches best first over square cells of translations, from `known`, which is free. `last` (or null) is a

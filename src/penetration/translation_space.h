@@ -127,7 +127,7 @@ class TranslationSpace {
     Segment segment;
     double apart;
   };
-  /// Of all that may bound free translations the one that is nearest to t.
+  /// The segment nearest to t, of all that may bound free translations.
   NearestSegment nearestSegment(const Vec2& t);
 
   /// Whether so few convolution segments may bound what the regions overlap on that a search gathers all at once.

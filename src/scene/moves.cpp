@@ -23,7 +23,7 @@ constexpr double kLongestPath = 0x1p20;
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
-/// Finite, so that no step that overflows is beside it a short one.
+/// The size is finite, so that a step that overflows is longer.
 double sizeOf(const SceneState::BodyState& body) {
   return std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost);
 }

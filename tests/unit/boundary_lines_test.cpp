@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "numbers/angle.h"
 #include "numbers/rounding.h"
 #include "penetration/penetration.h"
 #include "shapes.h"
@@ -36,6 +38,27 @@ TEST(BoundaryLines, TheNearestPointOfALongSegmentIsOfferedByAShortPiece) {
     });
     EXPECT_EQ(offered, 1) << "case " << i << ", away " << away << ", length " << length;
   }
+}
+
+/// Between the x axis and the diagonal: half of the way to what is in that sector, or comes into it, but not to what is
+/// beside it.
+TEST(BoundaryLines, OnlyLinesInASectorLeaveLessRoom) {
+  const Ends axis{{0, 0}, {10, 0}}, diagonal{{0, 0}, {10, 10}}, beside{{1, -1}, {3, -0.5}}, inside{{4, 1}, {4, 2}},
+      through{{2, -1}, {2, 1}};
+  const auto room = [&](const std::vector<Ends>& others) {
+    BoundaryLines lines(1e-15, 16e-15);
+    lines.clear(8);
+    for (const Ends& line : {axis, diagonal}) EXPECT_TRUE(lines.add({line, true, 1e-15}, Vec2::Zero(), 100));
+    std::vector<BoundaryLines::LeavingLine> rays;
+    lines.addRays(Vec2::Zero(), rays);
+    EXPECT_EQ(rays.size(), 2u);
+    for (const Ends& line : others) EXPECT_TRUE(lines.add({line, true, 1e-15}, Vec2::Zero(), 100));
+    return lines.roomBetween(Vec2::Zero(), rays[0], rays[1], kPi / 4, 3);
+  };
+  EXPECT_EQ(room({}), 3);
+  EXPECT_EQ(room({beside}), 3);
+  EXPECT_NEAR(room({beside, inside}), std::hypot(4, 1) / 2, 1e-12);
+  EXPECT_NEAR(room({beside, inside, through}), 1, 1e-12);
 }
 
 /// What the cells that are left bound, with a margin and without.

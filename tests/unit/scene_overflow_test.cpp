@@ -15,7 +15,7 @@ namespace {
 
 const Polygon kSquare({rectangle(-1, -1, 1, 1)});
 
-/// What overflows has boxes without ends: they meet every body, and nothing else.
+/// Bodies that overflow have boxes without ends. Their boxes meet every body, but they themselves don't.
 TEST(Scene, MeetsWhatOverflows) {
   const Polygon spike({{{-1, -1}, {1, -1}, {0, 1e308}}});
   Pose turned = pose(0, 5, 0);
@@ -54,7 +54,7 @@ TEST(Scene, OfAPolygonThatIsTooLargeForItsBoxes) {
   EXPECT_EQ(scene.colliding(kSquare, pose(0, -1e308, 1e308)).size(), 1u);
 }
 
-/// What a body has moved in all, and the square of each step, is more than the largest double.
+/// The way that a body moves in all, and the square of each step, are above the largest double.
 TEST(Scene, FollowsHugeBodies) {
   Scene scene;
   scene.add(Polygon({rectangle(-1e307, -1e307, 1e307, 1e307)}), pose(0, -8e307, 0));
@@ -86,7 +86,7 @@ TEST(Scene, FollowsBodiesWhoseSizeOverflows) {
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}}));
 }
 
-/// Of a polygon whose radius is above the largest unit, times of impact know nothing, and report whatever is asked.
+/// Times of impact know nothing of a polygon whose radius is above the largest unit, and report whatever is asked.
 /// Impacts of scenes are the same: its box must not leave anything out.
 TEST(Scene, ReportsTheImpactsOfWhatIsAboveTheLargestUnit) {
   const Polygon huge({{{0x1.529e7dd968fbep+1021, -0x1.e197746867ccap+1020},

@@ -49,7 +49,7 @@ MUTATIONS = [
     ("src/penetration/translation_search.cpp", "kLeastSurroundings = 64", "kLeastSurroundings = 0", "penetration: small cells look around by a part of themselves"),
     ("src/penetration/boundary_lines.h", "const bool is_between = gap >= kPi ||", "const bool is_between = true ||", "penetration: lines beside a sector leave it no room"),
     ("src/penetration/boundary_lines.h", "up.dot(part.v - p) + 2 * resolution_", "-up.dot(part.v - p)", "penetration: lines in a sector are beside it"),
-    ("src/penetration/translation_search.cpp", "    reachSegment();\n", "", "penetration: a way that a clearance gave ends before a segment"),
+    ("src/penetration/translation_search.cpp", "by_clearance && step < kMostSteps", "false && step < kMostSteps", "penetration: a way that a clearance gave ends before a segment"),
     ("src/penetration/penetration.cpp", "if (!result.optimal) result.depth = std::max(", "if (false) result.depth = std::max(", "penetration: a depth that an error leaves is no bound"),
     ("src/penetration/penetration.cpp", "result.translation.stableNorm()", "result.translation.norm()", "penetration: lengths overflow"),
     ("src/contact/convex_contact.cpp", "if (leads_down && walk.from[1] <= passed)", "if (false)", "convex contact: a flat outline's own ends"),
