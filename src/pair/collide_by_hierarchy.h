@@ -62,7 +62,7 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
   // A body that is small beside a map.
   if (isSmallBeside(test.a, test.b) && wanted != Wanted::Edges)
     if (const InfluenceField* field = fieldIfPaid(test.a)) {
-      meeting = meetInField(*field, at, limit, wanted, test, outcome);
+      if (wanted == Wanted::Answer) meeting = meetInField(*field, at, limit, test);
       field->count(meeting != Meeting::Unknown);
     }
   if (meeting == Meeting::Unknown) {

@@ -23,15 +23,6 @@ class InnerPlaces {
     }
   }
 
-  /// How deep a centre is in a, or an edge of a in a disc; not positive where the field tells neither.
-  double depthIn(const InfluenceField& field) const {
-    double depth = 0;
-    for (int k = 0; k < count_ && !(depth > 0); ++k) {
-      const InfluenceField::Look look = field.at(centers_[k].x(), centers_[k].y());
-      depth = std::max(look.inside ? look.free - error_ : 0, radii_[k] - look.near);
-    }
-    return depth;
-  }
   /// Whether a segment surely meets a disc.
   bool meet(const Vec2& v, const Vec2& w) const {
     for (int k = 0; k < count_; ++k)
@@ -72,51 +63,35 @@ struct PlacedBox {
 };
 
 /// By the edges of a that are in cells near b, whose edges are few.
-Outcome meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const InnerPlaces& inner,
-                    const EdgeTest& test) {
+bool meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const InnerPlaces& inner,
+                 const EdgeTest& test) {
   const PolygonData &a = test.a, &b = test.b;
-  Outcome outcome;
-  bool is_any_near = false;
+  bool is_any_near = false, meet = false;
   field.forEachEdge(box.middle, box.half(), [&](EdgePosition i) {
     const Vec2 v = a.inUnits(a.path[i]), w = a.inUnits(a.path[i + 1]);
     if (!box.mayMeet(v, w)) return true;
     is_any_near = true;
-    if (inner.meet(v, w)) {
-      outcome.collides = true;
-      return false;
-    }
-    for (std::size_t ring = 0; ring < b.ringCount(); ++ring)
-      for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring); ++j)
-        if (test(i, j)) {
-          outcome = {true, 0, i, j};
-          return false;
-        }
-    return true;
+    meet = inner.meet(v, w);
+    for (std::size_t ring = 0; ring < b.ringCount() && !meet; ++ring)
+      for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring) && !meet; ++j) meet = test(i, j);
+    return !meet;
   });
-  if (outcome.collides) return outcome;
+  if (meet) return true;
   // Without an edge in the box all of it is on one side.
   const InfluenceField::Look look = field.at(box.middle.x(), box.middle.y());
-  if (is_any_near || !(look.free > at.error)) return findContainment(test.pair);
-  outcome.collides = look.inside;
-  return outcome;
+  return is_any_near || !(look.free > at.error) ? findContainment(test.pair).collides : look.inside;
 }
 
 }  // namespace
 
-Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
-                    Outcome& outcome) {
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test) {
   constexpr std::size_t kFewEdges = 16;
   constexpr double kMostRows = 48;
   const PolygonData& b = test.b;
-  if (b.isDegenerate() || b.fill.is_complement) return Meeting::Unknown;
-  const InnerPlaces inner(b, at);
-  outcome.clearance = std::max(inner.depthIn(field), 0.0);
-  if (outcome.clearance > 0) return Meeting::Meet;
+  if (b.isDegenerate() || b.fill.is_complement || b.path.size() > kFewEdges) return Meeting::Unknown;
   const PlacedBox box(topOf(b).region, at, limit);
-  if (wanted != Wanted::Answer || b.path.size() > kFewEdges || !(field.rowsOf(box.half().y()) < kMostRows))
-    return Meeting::Unknown;
-  outcome = meetByEdges(field, at, box, inner, test);
-  return outcome.collides ? Meeting::Meet : Meeting::Apart;
+  if (!(field.rowsOf(box.half().y()) < kMostRows)) return Meeting::Unknown;
+  return meetByEdges(field, at, box, InnerPlaces(b, at), test) ? Meeting::Meet : Meeting::Apart;
 }
 
 }  // namespace tricover::detail

@@ -8,9 +8,8 @@
 
 namespace tricover::detail {
 
-/// What a's field tells of b, which is small beside a, after gapInField(): at the discs in b, and, of few edges, by a's
-/// edges in the cells that b's box comes near. Lengths are in a's units, as meetAtOnce()'s.
-Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
-                    Outcome& outcome);
+/// Whether b, which is small beside a and has few edges, meets a: by a's edges in the cells that b's box comes near.
+/// `limit` is that of gaps that matter, in a's units. Unknown of other bodies.
+Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit, const EdgeTest& test);
 
 }  // namespace tricover::detail

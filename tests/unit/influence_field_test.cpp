@@ -15,6 +15,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/locate.h"
+#include "tricover/prepare.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -96,6 +97,38 @@ TEST(InfluenceField, CellsKnowHowFarTheOutlineIsAndOnWhichSide) {
   EXPECT_GE(inside, few);
   EXPECT_GE(near, few);
   EXPECT_GE(outside_of_grid, few);
+}
+
+/// Of 1 x 65/64 with 64 edges: cells are a 32nd wide, and the left side has a vertex at the middle of each row.
+TEST(InfluenceField, CountsAVertexAtARowsMiddleOnce) {
+  constexpr double kRow = 1.0 / 32, kHigh = 65.0 / 128;
+  Ring ring = {{-0.5, -kHigh}, {0.5, -kHigh}};
+  for (int k = 29; k >= 0; --k) ring.push_back({0.5, kHigh - (k + 0.5) * kRow});
+  ring.insert(ring.end(), {{0.5, kHigh}, {-0.5, kHigh}});
+  for (int k = 29; k >= 0; --k) ring.push_back({-0.5, -kHigh + (k + 0.5) * kRow});
+  const Polygon polygon({ring});
+  const PolygonData& data = polygon.data();
+  ASSERT_EQ(data.origin, Vec2(0, 0));
+  const InfluenceField field(data);
+  ASSERT_EQ(field.side() * data.unit, kRow);
+  for (int k = 2; k < 30; ++k) {
+    const InfluenceField::Look look = field.at(0, (-kHigh + (k + 0.5) * kRow) / data.unit);
+    EXPECT_TRUE(look.inside && look.free > 0) << k;
+  }
+}
+
+/// The middle of b's box is free and outside, and no disc of b meets the island at its tip.
+TEST(InfluenceField, AnIslandAtTheTipOfABodyIsInIt) {
+  std::vector<Ring> rings = {scaled(regular(64, 1), 50)};
+  rings.push_back(scaled(rings.front(), 0.9));
+  const Ring dust = scaled(regular(3, 1), 1e-4);
+  rings.push_back(shifted(dust, {0.97, 0}));
+  const Polygon room(rings), tip({{{-1, -0.3}, {1, 0}, {-1, 0.3}}});
+  prepare(room);
+  prepare(tip);
+  EXPECT_TRUE(collide(room, Pose::Identity(), tip, Pose::Identity()));
+  EXPECT_FALSE(collide(room, Pose::Identity(), tip, pose(0, -0.04, 0)));
+  EXPECT_FALSE(collide(room, Pose::Identity(), tip, pose(0, 5, 0)));
 }
 
 /// Each edge that comes into a box is shown.

@@ -96,6 +96,6 @@ MUTATIONS = [
     ("src/overlay/edge_sides.cpp", "return is_alone = found == edge ||", "return is_alone = true ||", "interiors: edges that cross aren't alone"),
     ("src/pair/discs.h", "const double free = look.free - around - error;", "const double free = look.free - error;", "field: a free centre is a free body"),
     ("src/pair/discs.h", "look.inside ? look.free : 0, within", "look.free, within", "field: a centre outside is inside"),
-    ("src/pair/meet_in_field.cpp", "if (is_any_near ||", "if (", "field: containment where edges are near"),
-    ("src/pair/meet_in_field.cpp", "radii_[k] - look.near);", "radii_[k] - look.free);", "field: an edge is as near as it may be"),
+    ("src/pair/meet_in_field.cpp", "return is_any_near ||", "return", "field: containment where edges are near"),
+    ("src/pair/discs.h", "kStretched - look.near;", "kStretched - look.free;", "field: an edge is as near as it may be"),
 ]

@@ -7,8 +7,6 @@ MUTATIONS = [
     ("src/scene/sweep.h", " + errorOfLargest(polygon_)", "", "scene: sweeps of the largest polygons, of which impacts know nothing"),
     ("src/scene/moves.cpp", "std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost)", "body.polygon.data().radius + marginOfBox(body.options.margin)", "scene: a step that overflows is short beside a size that does"),
     ("src/scene/nearest.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "scene: the nearest is sought without the margin"),
-    ("src/scene/collides.cpp", "depthOfDiscs(pair, options.margin)", "depthOfDiscs(pair, 2 * options.margin)", "scene: discs that meet within twice the margin"),
-    ("src/scene/collides.cpp", "options.margin) >= 0 && may_touch)", "options.margin) >= 0)", "scene: inner discs without an interior overlap"),
     ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
     ("src/scene/box_tree.h", "last = keyOf(most, kLanes - 1);\n  }", "last = keyOf(0.5 * most, kLanes - 1);\n  }", "scene: bodies near the limit left out"),
     ("src/scene/moves.cpp", "  state.pose = pose;\n  state.clear.forget();\n", "  state.pose = pose;\n", "scene: where a body was clear before it moved"),
