@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+
 #include "distance/distance_hint.h"
 #include "distance/distance_search.h"
 #include "distance/distance_solvers.h"
@@ -44,8 +46,14 @@ Outcome searchAll(const PosedPair& pair, DistanceSearch& search) {
 }  // namespace
 
 DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const DistanceQuery& options) {
+  const BodyInField in_field(pair, pair.defect);
+  const double apart = in_field.gap(0);
+  if (apart > DistanceSearch::mostWithin(options))
+    return {std::numeric_limits<double>::infinity(), Vec2::Zero(), Vec2::Zero(), -1, -1};
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
+  // Of what may meet, it would tell in which order pairs are shown, and so which point is named.
+  if (apart > 0) search.limitTo(in_field.farthest());
   const bool was_tried = hint != nullptr && showHint(*hint, pair, search);
   const double hinted = search.upper();
   Outcome outcome;

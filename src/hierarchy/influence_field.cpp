@@ -216,11 +216,10 @@ void InfluenceField::addEdges(const PolygonData& polygon) {
 
 const InfluenceField& fieldOf(const PolygonData& polygon) { return topOf(polygon).field.made<InfluenceField>(polygon); }
 
-void payForField(const PolygonData& polygon) {
-  // A query without it descends the tree, and counts windings.
-  constexpr std::size_t kOfCell = 4, kOfQuery = 256;
+void payForField(const PolygonData& polygon, std::size_t cost) {
+  constexpr std::size_t kOfCell = 4;
   const std::size_t cells = std::min(InfluenceField::kCellsOfEdge * polygon.path.size(), InfluenceField::kMostCells);
-  if (topOf(polygon).field_rental.isDue(kOfQuery, kOfCell * cells)) fieldOf(polygon);
+  if (topOf(polygon).field_rental.isDue(cost, kOfCell * cells)) fieldOf(polygon);
 }
 
 /// Outside of the grid nothing is.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -53,14 +52,6 @@ class InfluenceField : public Derived::Thing {
   /// So many rows such a box has.
   double rowsOf(double half) const { return 2 * half * inverse_side_; }
 
-  /// Whether it decides more than half of what is asked of it: otherwise it isn't asked any more. Threads may lose each
-  /// other's counts.
-  bool isWorthAsking() const { return usedStages() != Stages::Paid || credit_.load(std::memory_order_relaxed) > 0; }
-  void count(bool has_decided) const {
-    const int credit = credit_.load(std::memory_order_relaxed);
-    if (!has_decided || credit < kMostCredit) credit_.store(credit + (has_decided ? 1 : -1), std::memory_order_relaxed);
-  }
-
   std::size_t cellCount() const { return cells_.size(); }
   std::size_t bytes() const {
     return cells_.size() + tile_edges_.size() * sizeof(EdgePosition) + tile_begins_.size() * sizeof(std::uint32_t);
@@ -81,7 +72,6 @@ class InfluenceField : public Derived::Thing {
   /// their middles. That one is next to a marked one: 2 diagonals, and the same rounding.
   static constexpr double kFar = 2 * 1.4142135623730951 + 0x1p-10;
 
-  static constexpr int kMostCredit = 1024;
   /// A tile is so many cells wide and high, and has the edges that touch it.
   static constexpr int kTile = 4;
 
@@ -99,7 +89,6 @@ class InfluenceField : public Derived::Thing {
   std::size_t tile_columns_;
   std::vector<std::uint32_t> tile_begins_;  ///< of each tile's edges, and the end
   std::vector<EdgePosition> tile_edges_;
-  mutable std::atomic<int> credit_{kMostCredit};
 };
 
 /// Of few edges, which are tested at once, of degenerate polygons and of the largest there is no field.
@@ -111,19 +100,18 @@ inline bool hasField(const PolygonData& polygon) {
 /// Built at the first call, of a polygon that has one.
 const InfluenceField& fieldOf(const PolygonData& polygon);
 
-/// The field if it has been built, and is worth asking, otherwise null.
+/// The field if it has been built, otherwise null.
 inline const InfluenceField* fieldIfBuilt(const PolygonData& polygon) {
   const Hierarchy* top = topIfBuilt(polygon);
   if (top == nullptr) return nullptr;
-  const auto* ready = static_cast<const InfluenceField*>(top->field.ifBuilt());
-  return ready != nullptr && ready->isWorthAsking() ? ready : nullptr;
+  return static_cast<const InfluenceField*>(top->field.ifBuilt());
 }
 
-/// For a query that the field may answer: builds it once such queries have paid for it.
-[[gnu::cold]] void payForField(const PolygonData& polygon);
-inline const InfluenceField* fieldIfPaid(const PolygonData& polygon) {
+/// For a query that the field may answer, and that costs so much without it: builds it once such queries have paid.
+[[gnu::cold]] void payForField(const PolygonData& polygon, std::size_t cost);
+inline const InfluenceField* fieldIfPaid(const PolygonData& polygon, std::size_t cost) {
   if (!hasField(polygon)) return nullptr;
-  if (topOf(polygon).field.ifBuilt() == nullptr) payForField(polygon);
+  if (topOf(polygon).field.ifBuilt() == nullptr) payForField(polygon, cost);
   return fieldIfBuilt(polygon);
 }
 

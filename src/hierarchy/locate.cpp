@@ -28,7 +28,7 @@ bool isOutsideDisc(const detail::PolygonData& polygon, const Vec2& point) {
 }
 
 Location locateInDisc(const detail::PolygonData& polygon, const detail::Hierarchy* tree, const Vec2& point) {
-  return detail::includeInDisc(polygon, tree, detail::IncludedPoint::ofFrame(point)).location;
+  return detail::locateInDisc(polygon, tree, detail::IncludedPoint::ofFrame(point));
 }
 
 /// A lower bound of the distance from the edges, looked for within `most`.

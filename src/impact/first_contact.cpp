@@ -88,6 +88,8 @@ Impact describe(const MovingPair& pair, const FirstContact& found) {
 FirstContact collideAtStart(const MovingPair& pair, double begin, double) {
   if (begin > 0) return FirstContact::unknown(begin);
   const PosedPair posed(*pair.a.polygon, pair.a.motion->start, *pair.b.polygon, pair.b.motion->start);
+  const double defect = defectOf(pair.a.motion->start, pair.b.motion->start);
+  if (BodyInField(posed, defect).gap(pair.given_margin) > 0) return FirstContact::unknown(0);
   const Outcome outcome = collideByHierarchy(posed, {pair.given_margin}, 0, Wanted::Edges);
   if (!outcome.collides) return FirstContact::unknown(0);
   return {FirstContact::Verdict::Touch, 0, outcome.edge_a, outcome.edge_b};

@@ -29,7 +29,7 @@ std::optional<Outcome> certificateOfDiscs(const PosedPair& placement, double def
                                           const CertificateWish& wish) {
   const double gap = gapOfDiscs(placement, margin);
   if (gap >= 0) return Outcome{false, gap, wish.edge_a, wish.edge_b};
-  const double in_field = gapInField(placement, defect, margin + wish.lookahead);
+  const double in_field = BodyInField(placement, defect).gap(margin + wish.lookahead);
   if (in_field != 0) return Outcome{in_field < 0, std::abs(in_field), wish.edge_a, wish.edge_b};
   const double depth = depthOfDiscs(placement, margin);
   if (depth >= 0) return Outcome{true, depth, wish.edge_a, wish.edge_b};
@@ -59,7 +59,7 @@ Outcome findCloseCertificate(const PosedPair& placement, double defect, const Co
                                                  Certificate* backing_off) {
   const PosedPair placement(a, pose_a, b, pose_b);
   if (gapOfDiscs(placement, options.margin) >= 0) return false;
-  const double in_field = gapInField(placement, defect, options.margin);
+  const double in_field = BodyInField(placement, defect).gap(options.margin);
   if (in_field != 0) return in_field < 0;
   if (depthOfDiscs(placement, options.margin) >= 0) return true;
   if (backing_off != nullptr) countDown(*backing_off, a, pose_a, b, pose_b);

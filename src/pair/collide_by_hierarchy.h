@@ -59,12 +59,11 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
   Meeting meeting = Meeting::Unknown;
-  // A body that is small beside a map.
+  // A body that is small beside a map. Without the field the tree is descended, and windings are counted.
+  constexpr std::size_t kWithoutField = 256;
   if (isSmallBeside(test.a, test.b) && wanted != Wanted::Edges)
-    if (const InfluenceField* field = fieldIfPaid(test.a)) {
-      if (wanted == Wanted::Answer) meeting = meetInField(*field, at, limit, test);
-      field->count(meeting != Meeting::Unknown);
-    }
+    if (const InfluenceField* field = fieldIfPaid(test.a, kWithoutField); field != nullptr && wanted == Wanted::Answer)
+      meeting = meetInField(*field, at, limit, test);
   if (meeting == Meeting::Unknown) {
     if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
       return collideDegenerate(at, test, lookahead, wanted);

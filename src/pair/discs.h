@@ -57,34 +57,54 @@ inline double depthOfDiscs(const PosedPair& pair, double margin) {
 /// Whether a field of a may serve: b is that much smaller.
 inline bool isSmallBeside(const PolygonData& a, const PolygonData& b) { return 8 * b.unit <= a.unit; }
 
-/// By a's field, at the centre of a disc in b, or at b's S: a lower bound of the distance, if it is above the margin;
-/// or how far points may move until the regions don't meet, with the sign reversed; otherwise 0. The same errors as
-/// UnitMap's.
-inline double gapInField(const PosedPair& pair, double defect, double margin) {
-  const PolygonData &a = pair.a, &b = pair.b;
-  if (!isSmallBeside(a, b)) return 0;
-  const InfluenceField* field = fieldIfBuilt(a);
-  if (field == nullptr) return 0;
-  const InnerDisc inner(b);
-  const Double2 at = pair.inUnitsOfA(pair.way(a.origin, inner.center)), away = absolute(at);
-  const InfluenceField::Look look = field->at(at[0], at[1]);
-  const double error = 1.1 * pair.error() * a.inverse_unit +
-                       (kMapRounding * kUnitRoundoff + 1.1 * defect) * (away[0] + away[1] + 4) + kTiny;
-  // Both poses may stretch and shrink lengths.
-  constexpr double kStretched = (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + 0x1p-40);
-  double gap = 0;
-  if (look.inside ? inner.radius >= 0 : inner.radius > 0) {
-    const double within = inner.radius * a.inverse_unit / kStretched - look.near;
-    gap = std::min(error - std::max(look.inside ? look.free : 0, within), 0.0);
+/// What a's field, if it has been built, knows of the centre of a disc in b, or of b's S, where b is small beside a.
+class BodyInField {
+ public:
+  BodyInField(const PosedPair& pair, double defect)
+      : a_(pair.a), b_(pair.b), field_(isSmallBeside(a_, b_) ? fieldIfBuilt(a_) : nullptr) {
+    if (field_ == nullptr) return;
+    const InnerDisc disc(b_);
+    center_ = disc.center, radius_ = disc.radius;
+    const Double2 at = pair.inUnitsOfA(pair.way(a_.origin, center_)), away = absolute(at);
+    look_ = field_->at(at[0], at[1]);
+    // The same errors as UnitMap's.
+    error_ = 1.1 * pair.error() * a_.inverse_unit +
+             (kMapRounding * kUnitRoundoff + 1.1 * defect) * (away[0] + away[1] + 4) + kTiny;
   }
-  if (!(gap < 0)) {
-    const double around = (b.reach + (inner.center - b.origin).norm()) * a.inverse_unit * kStretched;
-    const double free = look.free - around - error;
-    if (!(free * a.unit > (look.inside ? 0 : margin * kStretched))) return 0;
-    gap = look.inside ? -free : free;
+
+  /// A lower bound of the distance, if it is above the margin; or how far points may move until the regions don't meet,
+  /// with the sign reversed; otherwise 0.
+  double gap(double margin) const {
+    if (field_ == nullptr) return 0;
+    double gap = 0;
+    if (look_.inside ? radius_ >= 0 : radius_ > 0) {
+      const double within = radius_ * a_.inverse_unit / kStretched - look_.near;
+      gap = std::min(error_ - std::max(look_.inside ? look_.free : 0, within), 0.0);
+    }
+    if (!(gap < 0)) {
+      const double around = (b_.reach + (center_ - b_.origin).norm()) * a_.inverse_unit * kStretched;
+      const double free = look_.free - around - error_;
+      if (!(free * a_.unit > (look_.inside ? 0 : margin * kStretched))) return 0;
+      gap = look_.inside ? -free : free;
+    }
+    return gap * a_.unit / kStretched;
   }
-  field->count(true);
-  return gap * a.unit / kStretched;
-}
+
+  /// An upper bound of the distance between a's outline and b's region; infinite if there is none.
+  double farthest() const {
+    if (field_ == nullptr) return InfluenceField::kNone;
+    return ((look_.near + error_) * a_.unit + (radius_ >= 0 ? 0 : b_.radius)) * kStretched;
+  }
+
+ private:
+  /// Both poses may stretch and shrink lengths.
+  static constexpr double kStretched = (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + 0x1p-40);
+
+  const PolygonData &a_, &b_;
+  const InfluenceField* field_;
+  Vec2 center_;
+  InfluenceField::Look look_;
+  double radius_, error_;  ///< the disc's, negative if there is none; and how far off its place is, in a's units
+};
 
 }  // namespace tricover::detail
