@@ -7,7 +7,6 @@
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
-#include "tricover/locate.h"
 #include "tricover/penetration.h"
 #include "workloads.h"
 
@@ -80,11 +79,11 @@ std::vector<std::pair<std::string, std::vector<Pose>>> deepWalksOf(const Pair& p
 }
 
 /// ask(pose) without a cache and ask(pose, cache).
-template <class Cache = PairCache, class Ask>
+template <class Ask>
 Result measured(const Pair& pair, const std::string& query, const std::string& walk, const std::vector<Pose>& poses,
                 Ask ask) {
   std::vector<double> answers(poses.size());
-  Cache cache;
+  PairCache cache;
   return measureInTurn({"cache", pair.name, query + ", " + walk, 0, 0, poses.size()},
                        {taskOf("none", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i]); }),
                         taskOf("cached", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i], cache); })},
@@ -116,9 +115,6 @@ std::vector<Result> measureCaches() {
         return static_cast<double>(contacts(a, still, b, pose, cache...).size());
       }));
       results.push_back(measured(pair, "penetration", walk, poses, depth));
-      results.push_back(measured<PointCache>(pair, "locate", walk, poses, [&](const Pose& pose, auto&... cache) {
-        return locate(a, 0.5 * pose.translation(), cache...) == Location::Inside ? 1.0 : 0.0;
-      }));
     }
   }
   return results;

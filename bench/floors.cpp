@@ -295,7 +295,6 @@ std::vector<Floor> allFloors() {
       atMost({"a cache beside none, distance", without, "1.05", 1.15, cache("distance")}),
       atMost({"a cache beside none, contacts", without, "1.05", 1.15, cache("contacts")}),
       atMost({"a cache beside none, penetration", without, "1.02", 1.15, cache("penetration")}),
-      atMost({"a cache beside none, locate", without, "8.6", 1.15, cache("locate")}),
       atMost({"contact points", "points / crossings", "1.95", 2.5, details("points")}),
       atMost({"contact points with local depths", "local depths / crossings", "3.9", 7, details("local depths")}),
       atMost({"how deep a point is", "depth / crossings", "", 4, details("depth")}),

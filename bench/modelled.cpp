@@ -76,7 +76,6 @@ struct Pair {
   Polygon fixed, moving;
   double margin;  ///< of each
   PairCache cache;
-  PointCache point_cache;
   std::optional<Scene> scene;
 
   double radius() const { return fixed.radius() + margin; }
@@ -171,8 +170,6 @@ const Query kQueries[] = {
      [](Pair& pair) { return locate(pair.fixed, 3 * far(pair).translation()) != Location::Outside; }, false},
     {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; },
      false},
-    {"locate, inside, PointCache", true,
-     [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin(), pair.point_cache) != Location::Outside; }, false},
     {"Scene: added, boxes apart", false, askScene<far>},
     {"Scene: added, near", false, askScene<near>},
     {"Scene: added, overlapping", true, askScene<upon>},
@@ -267,10 +264,10 @@ bool run(const std::string& directory, bool) {
     enter(query.name, [&](const Shape& shape) {
       return shape.margin > 0 && !query.of_discs ? std::nullopt : std::optional<Cost>(costOf(shape, query));
     });
-  return writeStudies(directory, "modelled", tables,
-                      kHow + std::string("A PairCache itself is ") + std::to_string(sizeof(PairCache)) +
-                          " bytes, a PointCache " + std::to_string(sizeof(PointCache)) + ", both the caller's.\n",
-                      "Bytes or nanoseconds, both polygons together");
+  return writeStudies(
+      directory, "modelled", tables,
+      kHow + std::string("A PairCache itself is ") + std::to_string(sizeof(PairCache)) + " bytes, the caller's.\n",
+      "Bytes or nanoseconds, both polygons together");
 }
 
 }  // namespace tricover::bench

@@ -15,7 +15,6 @@ struct CacheAccess {
   static const PairCacheContents& contentsOf(const PairCache& cache) {
     return contentsOf(const_cast<PairCache&>(cache));
   }
-  static PointCertificate& contentsOf(PointCache& cache) { return in<PointCertificate>(cache.bytes_); }
   template <typename Cache>
   static auto& contentsOf(Cache& cache) {
     return cache.masks_;

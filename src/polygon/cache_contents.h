@@ -7,9 +7,7 @@
 #include <cstdint>
 
 #include "polygon/edge_position.h"
-#include "tricover/location.h"
 #include "tricover/pair_cache.h"
-#include "tricover/point_cache.h"
 
 namespace tricover::detail {
 
@@ -37,13 +35,22 @@ constexpr double kStepsAhead = 32;
 /// A motion by more than this part of a polygon's radius is a jump, a step that no clearance would pay for.
 constexpr double kCoherentPart = 0.25;
 
-/// The part that certificates of pairs and of points share: how far points may move before the answer can change, and
-/// whether finding that pays.
-struct Clearance {
+/// A certificate of collide(): "With the polygons at these poses (columns of R, then t) the answer was `overlapping`.
+/// Whether the regions overlap stays so while no point is moved against the other polygon by `clearance`, a world
+/// length, or more." A hit by the margin or the tolerance alone is kept as overlapping, with a clearance of 0, by which
+/// nothing stays so.
+struct Certificate {
   double clearance = 0;
   std::uint32_t uses = 0;   ///< queries answered since: their mean motion sets how far the next one looks ahead
   bool was_sought = false;  ///< finding the clearance cost more than the answer; false: it is 0
   BackOff back_off;
+  bool overlapping = false;
+  std::uint64_t first_id = 0;   ///< of the polygons, in the kernel's own order (0: none)
+  std::uint64_t second_id = 0;  ///< likewise
+  double first_pose[6] = {1, 0, 0, 1, 0, 0};
+  double second_pose[6] = {1, 0, 0, 1, 0, 0};
+  /// The edges of the last hit, if there was one. They are tried first at the next pose.
+  EdgePosition first_edge = kNoEdge, second_edge = kNoEdge;
 
   /// The clearance that would pay for a good many steps like the last ones; 0 if that is too long for the radius.
   double lookahead(double motion, double radius) const {
@@ -57,21 +64,6 @@ struct Clearance {
     if (known && (was_sought || !coherent)) back_off.judge(coherent && uses >= kPaying);
     return coherent && !back_off.isOn();
   }
-};
-
-/// A certificate of collide(): "With the polygons at these poses (columns of R, then t) the answer was `overlapping`.
-/// Whether the regions overlap stays so while no point is moved against the other polygon by `clearance`, a world
-/// length, or more." A hit by the margin or the tolerance alone is kept as overlapping, with a clearance of 0, by which
-/// nothing stays so.
-struct Certificate : Clearance {
-  bool overlapping = false;
-  std::uint64_t first_id = 0;   ///< of the polygons, in the kernel's own order (0: none)
-  std::uint64_t second_id = 0;  ///< likewise
-  double first_pose[6] = {1, 0, 0, 1, 0, 0};
-  double second_pose[6] = {1, 0, 0, 1, 0, 0};
-  /// The edges of the last hit, if there was one. They are tried first at the next
-  /// pose.
-  EdgePosition first_edge = kNoEdge, second_edge = kNoEdge;
 };
 
 /// The features or edges that were nearest at the last distance() of two polygons, or crossed: tried first.
@@ -93,13 +85,6 @@ struct PairCacheContents {
   Certificate collision;
   DistanceHint distance;
   PenetrationHint penetration;
-};
-
-/// What a PointCache holds: "The point was here, and at least so far from all edges."
-struct PointCertificate : Clearance {
-  Location location = Location::Outside;
-  std::uint64_t polygon_id = 0;  ///< 0: none
-  double point[2] = {0, 0};      ///< in the polygon's frame
 };
 
 }  // namespace tricover::detail

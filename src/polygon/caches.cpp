@@ -6,6 +6,5 @@
 namespace tricover {
 
 PairCache::PairCache() { new (bytes_) detail::PairCacheContents; }
-PointCache::PointCache() { new (bytes_) detail::PointCertificate; }
 
 }  // namespace tricover

@@ -14,15 +14,4 @@ TEST(Documentation, Locate) {
   //! [locate]
 }
 
-TEST(Documentation, LocateWithCache) {
-  //! [locate with cache]
-  const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
-  tricover::PointCache cache;
-  int inside = 0;
-  for (double x = -2; x <= 6; x += 0.25)
-    inside += tricover::locate(square, {x, 1}, cache) == tricover::Location::Inside;
-  EXPECT_EQ(inside, 15);  // 0 and 4 are on the boundary
-  //! [locate with cache]
-}
-
 }  // namespace

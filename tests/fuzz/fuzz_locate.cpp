@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// locate(), cold and along a walk with a cache, and castRay(), against the exact reference.
+// locate() and castRay() against the exact reference.
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "ray_laws.h"
@@ -12,12 +12,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tricover;
   fuzz::ByteReader bytes(data, size);
   const Polygon polygon = bytes.polygon();
-  PointCache cache;
   for (int i = 0; i < 6; ++i) {
     const Vec2 point = i == 3 ? polygon.origin() : bytes.point();
-    const Location truth = exact::locate(polygon, point);
-    if (locate(polygon, point) != truth) fuzz::fail("cold", support::reproduction(polygon, point));
-    if (locate(polygon, point, cache) != truth) fuzz::fail("cached", support::reproduction(polygon, point));
+    if (locate(polygon, point) != exact::locate(polygon, point))
+      fuzz::fail("location", support::reproduction(polygon, point));
   }
   const Pose pose = bytes.pose();
   for (int i = 0; i < 3; ++i) {

@@ -276,11 +276,6 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
     const auto &mask = detail::contentsOf(caches.of_mask), &mask_before = detail::contentsOf(copy.of_mask);
     EXPECT_EQ(mask, mask_before);
   }
-  PointCache cache;
-  locate(a, {0.5, 0.5}, cache);
-  EXPECT_THROW(locate(b, {kNaN, 0}, cache), std::invalid_argument);
-  EXPECT_EQ(detail::contentsOf(cache).polygon_id, a.id());
-  EXPECT_EQ(detail::contentsOf(cache).location, Location::Inside);
 }
 
 TEST(Refusal, OfPointsAndLengths) {

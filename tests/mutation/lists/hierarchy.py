@@ -10,7 +10,6 @@ MUTATIONS = [
     ("src/hierarchy/inner_discs.cpp", "4 * kUnitRoundoff * (polygon.extent / polygon.unit + 1)", "0", "inner discs: an ulp of S"),
     ("src/hierarchy/inner_discs.cpp", "polygon.unit) && isInside()", "polygon.unit)", "inner discs: the side that isn't certain"),
     ("src/hierarchy/simd_depths.h", "y * e->slope, x)", "y * e->slope, x - 0x1p-10f)", "inner discs: an edge beside the point"),
-    ("src/hierarchy/locate.cpp", "moved < cache.clearance", "moved < 2 * cache.clearance", "point cache: trusted for too long"),
     ("src/hierarchy/simd_boxes.h", "noLarger(min_x, Doubles::load(boxes.max_x + i))", "noLarger(max_x, Doubles::load(boxes.max_x + i))", "scene: boxes that end within another"),
     ("src/hierarchy/simd_boxes.h", "larger(begin, Doubles::all(0)).store", "(larger(begin, Doubles::all(0)) + Doubles::all(0.1)).store", "scene: a ray enters boxes too late"),
     ("src/hierarchy/simd_descent.h", "const double slack = map.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4) + map.error * a.inverse;", "const double slack = map.rounding * (magnitude(x) + magnitude(y) + 4 * size + 4);", "two blocks: the map's error"),
