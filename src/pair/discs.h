@@ -78,7 +78,7 @@ class BodyInField {
     if (field_ == nullptr) return 0;
     double gap = 0;
     if (look_.inside ? radius_ >= 0 : radius_ > 0) {
-      const double within = radius_ * a_.inverse_unit / kStretched - look_.near;
+      const double within = radius_ * a_.inverse_unit * kShrunk - look_.near;
       gap = std::min(error_ - std::max(look_.inside ? look_.free : 0, within), 0.0);
     }
     if (!(gap < 0)) {
@@ -87,7 +87,7 @@ class BodyInField {
       if (!(free * a_.unit > (look_.inside ? 0 : margin * kStretched))) return 0;
       gap = look_.inside ? -free : free;
     }
-    return gap * a_.unit / kStretched;
+    return gap * a_.unit * kShrunk;
   }
 
   /// An upper bound of the distance between a's outline and b's region; infinite if there is none.
@@ -99,6 +99,7 @@ class BodyInField {
  private:
   /// Both poses may stretch and shrink lengths.
   static constexpr double kStretched = (1 + kLargestDefect) * (1 + kLargestDefect) * (1 + 0x1p-40);
+  static constexpr double kShrunk = (1 - 0x1p-40) / kStretched;
 
   const PolygonData &a_, &b_;
   const InfluenceField* field_;

@@ -100,5 +100,5 @@ MUTATIONS = [
     ("src/distance/tree_distance.cpp", "if (apart > 0) search.limitTo(", "search.limitTo(", "field: the order of what meets"),
     ("src/hierarchy/inclusion.h", "if (look.free > error) return", "return", "field: a side beside the outline"),
     ("src/pair/meet_in_field.cpp", "return is_any_near ||", "return", "field: containment where edges are near"),
-    ("src/pair/discs.h", "kStretched - look_.near;", "kStretched - look_.free;", "field: an edge is as near as it may be"),
+    ("src/pair/discs.h", "kShrunk - look_.near;", "kStretched - look_.free;", "field: an edge is as near as it may be"),
 ]
