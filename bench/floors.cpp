@@ -87,6 +87,7 @@ std::vector<Floor> allFloors() {
       {"beside Box2D v3: rotates", "b2TimeOfImpact / core", "0.66", 0.5, beside_v3("rotates")},
       {"beside Box2D v3: distance", "b2ShapeDistance / core", "0.63", 0.5, beside_v3("distance")},
       {"beside Box2D v3: nearest of 10,000", "a descent of its tree / Scene", "1.1", 0.9, beside_v3("nearest")},
+      {"beside Box2D v3: contacts, deep ones too", "b2CollidePolygons / core", "", 0.3, beside_v3("contacts")},
       {"contact of resting and sliding 8-gons", "Box2D's manifold / core", "0.79", 0.5,
        ratios(job("contacts"), box2d, cold)},
       {"polygon and round shape through FCL, collide", own, "0.88", 0.7, round("collide")},

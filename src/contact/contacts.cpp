@@ -59,7 +59,8 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
 
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      double defect, PairCacheContents* cache, const ContactOptions& options) {
-  if (gapOfDiscs(PosedPair(a, pose_a, b, pose_b), options.margin) >= 0) return {};
+  const PosedPair pair(a, pose_a, b, pose_b);
+  if (gapOfDiscs(pair, options.margin) >= 0) return {};
   Certificate* certificate = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
   if (certificate != nullptr && certificate->back_off.isOn()) {
@@ -69,7 +70,6 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
     known = recall(*certificate, a, pose_a, b, pose_b, defect, options.margin);
   }
   if (known.certain && !known.collides) return {};
-  const PosedPair pair(a, pose_a, b, pose_b);
   std::vector<Contact> result = allContacts(pair, options);
   if (const double margin = options.margin; result.empty() && margin > 0)
     if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
