@@ -162,7 +162,10 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge,
   face.of_a = of_a;
   face.edge = edge;
   face.depth = dot(outwards, own.ring.corner(edge) - deepest) / std::sqrt(square);
-  if (face.depth < -depthError()) return Apart;
+  if (face.depth < -depthError()) {
+    gap_ = roundedDown<1>(-face.depth - depthError());
+    return Apart;
+  }
   add(face);
   return Meet;
 }

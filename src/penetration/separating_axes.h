@@ -87,6 +87,8 @@ class SeparatingAxes {
   const FaceDepth* begin() const { return least_.data(); }
   const FaceDepth* end() const { return least_.data() + count_; }
   double leastDepth() const { return least_depth_; }
+  /// How far a pair is apart at least.
+  double gap() const { return gap_; }
 
   const AxisSide& side(bool of_a) const { return of_a ? a_ : b_; }
   /// At least what a corner is off by here and in the other one's frame, in either coordinate.
@@ -117,6 +119,7 @@ class SeparatingAxes {
   double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
   std::array<FaceDepth, 8> least_;
   std::size_t count_ = 0;
+  double gap_ = 0;
   Verdict verdict_ = Unsure;
 };
 
