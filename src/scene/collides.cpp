@@ -34,56 +34,16 @@ class CollisionQuery {
     bounds_ = boundsOf(polygon.data(), pose, detail::marginOfBox(options.margin));
   }
 
-  /// Returns a body that collides. Discs come first: two inner discs that meet save the tests of all outlines, which
-  /// wait.
-  std::optional<BodyHandle> anyColliding() const {
-    std::array<Slot, kMostWaiting> waiting;
-    std::size_t count = 0;
-    std::optional<BodyHandle> found;
-    visitNear([&](Slot slot, bool discs_meet) {
-      if (discs_meet || (count == kMostWaiting && outlinesMeet(slot)))
-        found = state_.handleOf(slot);
-      else if (count < kMostWaiting)
-        waiting[count++] = slot;
-      return !found;
+  /// Calls found(slot) for each body that collides, until it returns false.
+  template <typename Found>
+  void forEachColliding(const Found& found) const {
+    state_.tree.visit(bounds_, [&](Slot slot) {
+      const bool is_asked = state_.passes(filter_, slot) && !state_.bodies[slot].clear.holds(bounds_);
+      return !(is_asked && outlinesMeet(slot)) || found(slot);
     });
-    for (std::size_t i = 0; i < count && !found; ++i)
-      if (outlinesMeet(waiting[i])) found = state_.handleOf(waiting[i]);
-    return found;
-  }
-
-  std::vector<BodyHandle> colliding() const {
-    std::vector<BodyHandle> found;
-    visitNear([&](Slot slot, bool discs_meet) {
-      if (discs_meet || outlinesMeet(slot)) found.push_back(state_.handleOf(slot));
-      return true;
-    });
-    std::sort(found.begin(), found.end());
-    return found;
   }
 
  private:
-  /// More bodies than these don't wait.
-  static constexpr std::size_t kMostWaiting = 8;
-
-  /// Calls visit(slot, discs_meet) for the bodies whose boxes meet the query's box, until it returns false.
-  /// `discs_meet`: the inner discs prove that the body collides.
-  template <typename Visit>
-  void visitNear(const Visit& visit) const {
-    state_.tree.visit(bounds_, [&](Slot slot) {
-      const auto& body = state_.bodies[slot];
-      if (!state_.passes(filter_, slot) || body.clear.holds(bounds_)) return true;
-      const CollideOptions options = detail::withBody(options_, body.options);
-      const detail::PolygonData& other = body.polygon.data();
-      const detail::PosedPair pair(polygon_.data(), pose_, other, body.pose);
-      // The discs of points and segments have no interior. A depth is asked of outlines alone.
-      const bool may_touch = options.margin >= 0 && (!detail::asksForInteriors(options) ||
-                                                     !(polygon_.data().isDegenerate() || other.isDegenerate()));
-      return visit(slot, depthOfDiscs(pair, options.margin) >= 0 && may_touch);
-    });
-  }
-
-  /// Tests what discs don't decide.
   bool outlinesMeet(Slot slot) const {
     const auto& body = state_.bodies[slot];
     const CollideOptions options = detail::withBody(options_, body.options);
@@ -120,12 +80,25 @@ std::vector<bool> Scene::collides(const Polygon& polygon, const std::vector<Pose
 
 std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                                const BodyFilter& filter) const {
-  return CollisionQuery(impl_->settled(), polygon, pose, options, filter).anyColliding();
+  const SceneState& state = impl_->settled();
+  std::optional<BodyHandle> found;
+  CollisionQuery(state, polygon, pose, options, filter).forEachColliding([&](Slot slot) {
+    found = state.handleOf(slot);
+    return false;
+  });
+  return found;
 }
 
 std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                           const BodyFilter& filter) const {
-  return CollisionQuery(impl_->settled(), polygon, pose, options, filter).colliding();
+  const SceneState& state = impl_->settled();
+  std::vector<BodyHandle> found;
+  CollisionQuery(state, polygon, pose, options, filter).forEachColliding([&](Slot slot) {
+    found.push_back(state.handleOf(slot));
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace tricover
