@@ -93,6 +93,9 @@ Holds holds(std::function<bool(const Workload&)> workload) {
 Holds operator&&(const Holds& p, const Holds& q) {
   return [=](const Result& result) { return p(result) && q(result); };
 }
+Holds operator||(const Holds& p, const Holds& q) {
+  return [=](const Result& result) { return p(result) || q(result); };
+}
 Holds operator!(const Holds& p) {
   return [=](const Result& result) { return !p(result); };
 }

@@ -40,6 +40,7 @@ extern const Ns kFclSolver;
 std::optional<double> slowerOrder(const Result& result);
 Holds holds(std::function<bool(const Workload&)> workload);
 Holds operator&&(const Holds& p, const Holds& q);
+Holds operator||(const Holds& p, const Holds& q);
 Holds operator!(const Holds& p);
 Holds job(const std::string& name);
 /// The workload's name, or the scene's, begins so.

@@ -100,6 +100,8 @@ std::vector<Floor> allFloors() {
       {part, "GEOS STRtree, prepared / Scene", "4.2", 3, beside(layout, "GEOS")},
       {part, "Boost rtree / Scene", "6.0", 4, beside(layout, "Boost")},
       {"a part in its container among 80", scan, "1.0", 0.8, beside(job("container") && on("80"), "scan")},
+      {"a part in its container among 20 to 50 small ones", scan, "", 0.8,
+       beside(job("container") && (on("20 ") || on("50 ")), "scan")},
       {robot, scan, "27", 12, beside(map, "cold")},
       {robot, "our shapes in FCL's best manager / Scene", "5.4", 3, beside(map, "via FCL")},
       {robot, "GEOS STRtree, prepared / Scene", "3.2", 2, beside(map, "GEOS")},
