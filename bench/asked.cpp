@@ -16,6 +16,7 @@ bool run(const std::string& directory, bool) {
        {"Layouts in their containers", measureContainers()},
        {"Contacts, by their detail", measureContactCosts()},
        {"With a cache and without", measureCaches()},
+       {"A car in an area", measureCovers()},
        {"A map of islands", measureIslands()},
        {"Robots in maps", measureRobots()},
        {"Narrow gaps", measureGaps()},

@@ -30,6 +30,9 @@ std::vector<Result> measureSimplification();
 /// A part that is placed anew in a layout with its container, a polygon with a hole: a Scene beside a scan of boxes.
 std::vector<Result> measureContainers();
 
+/// A car in an area, and in the union of a scene's areas, beside GEOS's prepared geometry.
+std::vector<Result> measureCovers();
+
 /// A map of 10,000 and of a million 8-gons, each a polygon of its own, beside Boost's rtree. Its rows "bytes a body"
 /// are bytes.
 std::vector<Result> measureStillMaps();

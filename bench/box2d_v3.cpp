@@ -17,6 +17,7 @@
 #include "random.h"
 #include "report.h"
 #include "shapes.h"
+#include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
@@ -107,6 +108,30 @@ void addDistances(const Pair& pair, std::vector<Result>& rows) {
   add("distance overlapping", separatedPoses(pair.fixed, pair.moving, 0.6, 0.9), false);
   add("distance on a walk", posesOf("gap 0.1", pair.fixed, pair.moving), false);
   add("distance on a walk, both with caches", posesOf("gap 0.1", pair.fixed, pair.moving), true);
+}
+
+/// One contact with up to two points and a normal, of both. Depths are compared: Box2D prefers its first polygon's
+/// faces, up to a tenth of its slop.
+void addContacts(const Pair& pair, std::vector<Result>& rows) {
+  const auto add = [&](const std::string& query, const std::vector<Pose>& all) {
+    std::vector<Pose> poses;
+    for (const Pose& pose : all)
+      if (!contacts(pair.fixed, kStill, pair.moving, pose).empty()) poses.push_back(pose);
+    std::vector<b2Transform> transforms;
+    for (const Pose& pose : poses) transforms.push_back(transformOf(pose));
+    rows.push_back(timed(
+        pair.name, query, poses.size(),
+        [&](std::size_t i) { return contacts(pair.fixed, kStill, pair.moving, poses[i])[0].depth; },
+        [&](std::size_t i) {
+          const b2LocalManifold found = b2CollidePolygons(&pair.fixed_shape, &pair.moving_shape, transforms[i]);
+          float depth = 0;
+          for (int k = 0; k < found.pointCount; ++k) depth = std::max(depth, -found.points[k].separation);
+          return static_cast<double>(depth);
+        }));
+  };
+  add("contacts, just overlapping", separatedPoses(pair.fixed, pair.moving, 0.95, 1));
+  add("contacts, overlapping", separatedPoses(pair.fixed, pair.moving, 0.6, 0.9));
+  add("contacts, deep in each other", separatedPoses(pair.fixed, pair.moving, 0, 0.5));
 }
 
 void addImpacts(const Pair& pair, bool turning, std::vector<Result>& rows) {
@@ -269,6 +294,7 @@ bool run(const std::string& directory, bool) {
   std::vector<Result> rows;
   for (const Pair& pair : pairs()) {
     addDistances(pair, rows);
+    addContacts(pair, rows);
     for (const bool turning : {false, true}) addImpacts(pair, turning, rows);
   }
   addNearest("10,000 boxes", Polygon({{{-1, -0.6}, {1, -0.6}, {1, 0.6}, {-1, 0.6}}}), 309, rows);

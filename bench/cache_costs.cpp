@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "asked.h"
+#include "random.h"
 #include "scenes/placed.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -19,6 +21,10 @@ using workloads::Kind;
 constexpr double kSize = 100, kDepth = 0.1, kBeside = 1;
 constexpr std::size_t kPoses = 200;
 constexpr int kRounds = 7;
+
+/// Of this walk a cache knows no more than so many poses: pairs meet and part.
+const char* const kPairsAnew = "steps of 5 %, pairs anew";
+constexpr std::size_t kPosesOfPair = 50;
 
 struct Pair {
   std::string name;
@@ -60,6 +66,22 @@ std::vector<Pose> toAndFro(double x, double step) {
   return poses;
 }
 
+/// Beside each other, by steps of 5 % anywhere.
+std::vector<Pose> wander(const Pair& pair, double contact) {
+  support::Random random(1);
+  std::vector<Pose> poses;
+  for (Pose pose = at(contact + kBeside, 0); poses.size() < kPoses;) {
+    const double direction = random.real(0, 2 * static_cast<double>(EIGEN_PI)), step = 0.05 * kSize;
+    Pose next = pose * poseAt({0, 0}, random.real(-0.05, 0.05));
+    next.translation() += step * Vec2(std::cos(direction), std::sin(direction));
+    if (collide(pair.fixed, Pose::Identity(), pair.moving, next) ||
+        !collide(pair.fixed, Pose::Identity(), pair.moving, next, {0.1 * kSize}))
+      continue;
+    poses.push_back(pose = next);
+  }
+  return poses;
+}
+
 std::vector<std::pair<std::string, std::vector<Pose>>> walksOf(const Pair& pair) {
   const double contact = contactOf(pair);
   return {{"resting", toAndFro(contact - kDepth, 1e-6 * kSize)},
@@ -84,9 +106,14 @@ Result measured(const Pair& pair, const std::string& query, const std::string& w
                 Ask ask) {
   std::vector<double> answers(poses.size());
   PairCache cache;
+  const bool are_anew = walk == kPairsAnew;
   return measureInTurn({"cache", pair.name, query + ", " + walk, 0, 0, poses.size()},
                        {taskOf("none", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i]); }),
-                        taskOf("cached", Role::Ours, answers, [&](std::size_t i) { return ask(poses[i], cache); })},
+                        taskOf("cached", Role::Ours, answers,
+                               [&, are_anew](std::size_t i) {
+                                 if (are_anew && i % kPosesOfPair == 0) cache = PairCache();
+                                 return ask(poses[i], cache);
+                               })},
                        kRounds);
 }
 
@@ -104,6 +131,10 @@ std::vector<Result> measureCaches() {
     if (b.edgeCount() <= 64)  // larger ones take milliseconds
       for (const auto& [walk, poses] : deepWalksOf(pair))
         results.push_back(measured(pair, "penetration", walk, poses, depth));
+    const auto points = [&](const Pose& pose, auto&... cache) {
+      return static_cast<double>(contacts(a, still, b, pose, cache...).size());
+    };
+    results.push_back(measured(pair, "contacts", kPairsAnew, wander(pair, contactOf(pair)), points));
     for (const auto& [walk, poses] : walksOf(pair)) {
       results.push_back(measured(pair, "collide", walk, poses, [&](const Pose& pose, auto&... cache) {
         return collide(a, still, b, pose, cache...) ? 1.0 : 0.0;
@@ -111,9 +142,7 @@ std::vector<Result> measureCaches() {
       results.push_back(measured(pair, "distance", walk, poses, [&](const Pose& pose, auto&... cache) {
         return distance(a, still, b, pose, cache...).distance;
       }));
-      results.push_back(measured(pair, "contacts", walk, poses, [&](const Pose& pose, auto&... cache) {
-        return static_cast<double>(contacts(a, still, b, pose, cache...).size());
-      }));
+      results.push_back(measured(pair, "contacts", walk, poses, points));
       results.push_back(measured(pair, "penetration", walk, poses, depth));
     }
   }

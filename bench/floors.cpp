@@ -2,185 +2,16 @@
 // The floors' table: reads the CSV files that the other programs left in the report directory, takes each row's figure
 // from them, and puts the figure beside its floor. Writes floors.csv and floors.md there.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "figures.h"
 #include "report.h"
 
 namespace tricover::bench {
 namespace {
-
-/// All workloads, and what each method took.
-using Cells = std::vector<Result>;
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-Role roleOf(const std::string& name) {
-  return name == "ours" ? Role::Ours : name == "rival" ? Role::Rival : name == "box2d" ? Role::Box2d : Role::Floor;
-}
-
-/// Appends what report.h's csv() wrote; nothing if there is no such file.
-void readCells(const std::string& path, Cells& cells) {
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    const std::vector<std::string> f = fieldsOf(line);
-    if (f.size() < 14) continue;
-    const auto number = [&](std::size_t i) {
-      return static_cast<std::size_t>(std::strtoull(f[i].c_str(), nullptr, 10));
-    };
-    const Workload workload{f[0], f[1], f[2], number(3), number(4), number(5)};
-    const auto same = [](const Workload& p, const Workload& q) {
-      return p.job == q.job && cellName(p) == cellName(q) && p.positions == q.positions;
-    };
-    if (cells.empty() || !same(cells.back().workload, workload)) cells.push_back({workload, {}, number(6), number(13)});
-    cells.back().timings.push_back({f[8], roleOf(f[7]), std::strtod(f[9].c_str(), nullptr)});
-  }
-}
-
-/// A figure of a cell, by a method's time or by several; nothing if the cell has no such method.
-using Ns = std::function<std::optional<double>(const Result&)>;
-using Holds = std::function<bool(const Result&)>;
-
-/// The least time of the timings that `wanted` names.
-template <class Wanted>
-Ns least(Wanted wanted) {
-  return [=](const Result& result) {
-    std::optional<double> ns;
-    for (const Timing& timing : result.timings)
-      if (wanted(timing) && (!ns || timing.ns < *ns)) ns = timing.ns;
-    return ns;
-  };
-}
-Ns method(const std::string& name) {
-  return least([=](const Timing& timing) { return timing.name == name; });
-}
-Ns startsWith(const std::string& start) {
-  return least([=](const Timing& timing) { return timing.name.rfind(start, 0) == 0; });
-}
-Ns fastest(Role role) {
-  return least([=](const Timing& timing) { return timing.role == role; });
-}
-/// The core as the workload has it used: with a PairCache where there is coherence.
-std::optional<double> core(const Result& result) {
-  const auto cached = method("cached")(result);
-  return cached ? cached : method("cold")(result);
-}
-/// The same number for every cell, so that a time itself can be a row: 1e3 makes microseconds of it.
-Ns constant(double ns) {
-  return [=](const Result&) { return std::optional<double>(ns); };
-}
-Ns scaled(double factor, Ns ns) {
-  return [=](const Result& result) { return std::optional<double>(factor * *ns(result)); };
-}
-/// FCL's best solver of those that are called directly.
-const Ns kFclSolver =
-    least([](const Timing& timing) { return timing.role == Role::Rival && timing.name.rfind("FCL", 0) == 0; });
-/// A query through FCL, in the slower order of its operands.
-std::optional<double> slowerOrder(const Result& result) {
-  const auto one = method("via FCL")(result), other = method("via FCL, swapped")(result);
-  return one && other ? std::max(*one, *other) : one;
-}
-
-Holds holds(std::function<bool(const Workload&)> workload) {
-  return [=](const Result& result) { return workload(result.workload); };
-}
-Holds operator&&(const Holds& p, const Holds& q) {
-  return [=](const Result& result) { return p(result) && q(result); };
-}
-Holds operator!(const Holds& p) {
-  return [=](const Result& result) { return !p(result); };
-}
-Holds job(const std::string& name) {
-  return holds([=](const Workload& w) { return w.job == name; });
-}
-/// The workload's name, or the scene's, begins so.
-Holds named(const std::string& start) {
-  return holds([=](const Workload& w) { return w.name.rfind(start, 0) == 0; });
-}
-Holds on(const std::string& start) {
-  return holds([=](const Workload& w) { return w.scene.rfind(start, 0) == 0; });
-}
-Holds sized(std::size_t low, std::size_t high) {
-  return holds([=](const Workload& w) { return w.vertices_fixed >= low && w.vertices_fixed <= high; });
-}
-/// FCL's first box or support tells most queries.
-const Holds kMostlyAtOnce = [](const Result& cell) { return 2 * cell.decided_at_once > cell.workload.positions; };
-
-struct Figure {
-  double value;
-  std::string cell;
-};
-using Figures = std::vector<Figure>;
-using Take = std::function<Figures(const Cells&)>;
-
-/// `above` / `below` of every cell that is `chosen` and that has both.
-Take ratios(Holds chosen, Ns above, Ns below) {
-  return [=](const Cells& cells) {
-    Figures figures;
-    for (const Result& cell : cells) {
-      if (!chosen(cell)) continue;
-      const auto p = above(cell), q = below(cell);
-      if (p && q) figures.push_back({*p / *q, cellName(cell.workload)});
-    }
-    return figures;
-  };
-}
-
-/// The power of a size with which `ns` grows from the least to the largest `chosen` cell, for each scene and
-/// workload: of equally many vertices, at least 64 (fewer have paths of their own), or of islands and a robot of 4.
-Take growth(Holds chosen, Ns ns) {
-  return [=](const Cells& cells) {
-    std::map<std::string, std::pair<const Result*, const Result*>> ends;
-    for (const Result& cell : cells) {
-      const Workload& w = cell.workload;
-      if (!chosen(cell) || !ns(cell) || (w.job != "islands" && w.vertices_fixed != w.vertices_moving) ||
-          w.vertices_fixed < 64)
-        continue;
-      auto& [low, high] = ends.try_emplace(w.scene + ", " + w.name, &cell, &cell).first->second;
-      if (w.vertices_fixed < low->workload.vertices_fixed) low = &cell;
-      if (w.vertices_fixed > high->workload.vertices_fixed) high = &cell;
-    }
-    Figures figures;
-    for (const auto& [name, pair] : ends) {
-      const auto& [low, high] = pair;
-      if (low == high) continue;
-      const double more =
-          static_cast<double>(high->workload.vertices_fixed) / static_cast<double>(low->workload.vertices_fixed);
-      figures.push_back({std::log(*ns(*high) / *ns(*low)) / std::log(more), name});
-    }
-    return figures;
-  };
-}
-
-/// The longest of a cell's times.
-std::optional<double> longest(const Result& result) {
-  double most = 0;
-  for (const Timing& timing : result.timings) most = std::max(most, timing.ns);
-  return most;
-}
 
 /// One row of the table. A floor is the least value that is accepted, or the largest where `at_least` is false.
 struct Floor {
@@ -259,6 +90,7 @@ std::vector<Floor> allFloors() {
       {"beside Box2D v3: rotates", "b2TimeOfImpact / core", "0.66", 0.5, beside_v3("rotates")},
       {"beside Box2D v3: distance", "b2ShapeDistance / core", "0.63", 0.5, beside_v3("distance")},
       {"beside Box2D v3: nearest of 10,000", "a descent of its tree / Scene", "1.1", 0.9, beside_v3("nearest")},
+      {"beside Box2D v3: contacts, deep ones too", "b2CollidePolygons / core", "", 0.3, beside_v3("contacts")},
       {"contact of resting and sliding 8-gons", "Box2D's manifold / core", "0.79", 0.5,
        ratios(job("contacts"), box2d, cold)},
       {"polygon and round shape through FCL, collide", own, "0.88", 0.7, round("collide")},
@@ -271,6 +103,8 @@ std::vector<Floor> allFloors() {
       {part, "GEOS STRtree, prepared / Scene", "4.2", 3, beside(layout, "GEOS")},
       {part, "Boost rtree / Scene", "6.0", 4, beside(layout, "Boost")},
       {"a part in its container among 80", scan, "1.0", 0.8, beside(job("container") && on("80"), "scan")},
+      {"a part in its container among 20 to 50 small ones", scan, "", 0.8,
+       beside(job("container") && (on("20 ") || on("50 ")), "scan")},
       {robot, scan, "27", 12, beside(map, "cold")},
       {robot, "our shapes in FCL's best manager / Scene", "5.4", 3, beside(map, "via FCL")},
       {robot, "GEOS STRtree, prepared / Scene", "3.2", 2, beside(map, "GEOS")},
@@ -284,6 +118,10 @@ std::vector<Floor> allFloors() {
           "us"),
       {drive, "collide every 2 cm / time of impact", "", 1,
        ratios(job("drive"), method("collide every 2 cm"), method("time of impact"))},
+      {"a car in an area of 8 to 1,024 vertices", "GEOS prepared / core", "", 2,
+       ratios(job("covers") && sized(8, 1024), rival, ours)},
+      {"a car in the union of lanes", "GEOS's prepared union / Scene", "", 2,
+       ratios(job("covers") && sized(0, 0), rival, ours)},
       {"rays in that map", "the faster of Box2D and Boost / Scene", "2.9", 1.5, ratios(job("rays"), rival, scene)},
       {"one polygon of up to 79,000 islands", "a Scene / one polygon", "0.5", 0.2,
        ratios(islands, method("Scene"), method("one polygon"))},

@@ -59,7 +59,14 @@ Result costOf(const Placement& layout, const std::string& parts, Placing placing
 
 std::vector<Result> measureContainers() {
   std::vector<Result> results;
-  for (const auto& [parts, least, most] : {std::tuple(16, 5, 8), {80, 5, 8}, {80, 12, 20}, {80, 40, 64}}) {
+  for (const auto& [parts, least, most] : {std::tuple(16, 5, 8),
+                                           {20, 5, 8},
+                                           {20, 12, 25},
+                                           {50, 5, 8},
+                                           {50, 12, 25},
+                                           {80, 5, 8},
+                                           {80, 12, 20},
+                                           {80, 40, 64}}) {
     const Placement layout = makeLayout(static_cast<std::size_t>(parts), least, most, 7);
     const std::string name =
         std::to_string(parts) + " parts of " + std::to_string(least) + " to " + std::to_string(most) + " vertices";

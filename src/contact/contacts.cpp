@@ -48,18 +48,32 @@ Contact contactBeside(const PosedPair& pair, double margin) {
   return contact;
 }
 
-std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& options) {
+/// `gap`: of regions that are proven to be apart so far.
+std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& options, double& gap) {
   if (cornersOf(pair.a) == nullptr || cornersOf(pair.b) == nullptr) return componentContacts(pair, nullptr, options);
   const SeparatingAxes axes(pair);
+  gap = axes.gap();
   if (axes.verdict() == SeparatingAxes::Apart) return {};
   if (axes.verdict() == SeparatingAxes::Meet)
     if (const std::optional<Contact> contact = convexContact(pair, axes, options.margin)) return {1, *contact};
   return componentContacts(pair, &axes, options);
 }
 
+/// Makes a certificate of a gap that was found anyway: no search for the longest one.
+void keepGap(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
+             Certificate& certificate, const Recollection& known, double gap) {
+  claim(certificate, a, b);
+  if (certificate.isWorthRenewing(known.known, known.coherent)) {
+    remember(certificate, a, pose_a, b, pose_b, false, gap);
+  } else {
+    rememberPoses(certificate, a, pose_a, b, pose_b);
+  }
+}
+
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      double defect, PairCacheContents* cache, const ContactOptions& options) {
-  if (gapOfDiscs(PosedPair(a, pose_a, b, pose_b), options.margin) >= 0) return {};
+  const PosedPair pair(a, pose_a, b, pose_b);
+  if (gapOfDiscs(pair, options.margin) >= 0) return {};
   Certificate* certificate = cache != nullptr ? &cache->collision : nullptr;
   Recollection known{};
   if (certificate != nullptr && certificate->back_off.isOn()) {
@@ -69,12 +83,15 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
     known = recall(*certificate, a, pose_a, b, pose_b, defect, options.margin);
   }
   if (known.certain && !known.collides) return {};
-  const PosedPair pair(a, pose_a, b, pose_b);
-  std::vector<Contact> result = allContacts(pair, options);
+  double gap = 0;
+  std::vector<Contact> result = allContacts(pair, options, gap);
   if (const double margin = options.margin; result.empty() && margin > 0)
     if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
-  if (certificate != nullptr && result.empty())
+  if (certificate != nullptr && result.empty() && gap > options.margin) {
+    keepGap(a, pose_a, b, pose_b, *certificate, known, gap);
+  } else if (certificate != nullptr && result.empty()) {
     renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0});
+  }
   if (result.size() > 1)
     std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });
   if (result.size() > options.most)

@@ -73,7 +73,9 @@ bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, con
   detail::requireFiniteMargin(options.margin, "margin");
   detail::requireRigid(pose_area, "pose_area");
   detail::requireRigid(pose_part, "pose_part");
-  return detail::unionCoversBut({detail::PosedPair(part.data(), pose_part, area.data(), pose_area)}, options.margin);
+  const detail::PosedPair pair(part.data(), pose_part, area.data(), pose_area);
+  return options.margin >= 0 ? detail::areaCovers(pair, options.margin)
+                             : detail::unionCoversBut({pair}, options.margin);
 }
 
 }  // namespace tricover

@@ -6,7 +6,15 @@
 namespace tricover::detail {
 namespace {
 
-bool areOne(const PosedPoint& p, const PosedPoint& q) { return p.pose == q.pose && p.local == q.local; }
+/// The same point of equal frames: so of areas that abut.
+bool areOne(const PosedPoint& p, const PosedPoint& q) {
+  if (p.local != q.local) return false;
+  return p.pose == q.pose || (p.pose != nullptr && q.pose != nullptr && p.pose->matrix() == q.pose->matrix());
+}
+
+bool areOne(const PosedSegment& p, const PosedSegment& q) {
+  return (areOne(p[0], q[0]) && areOne(p[1], q[1])) || (areOne(p[0], q[1]) && areOne(p[1], q[0]));
+}
 
 }  // namespace
 
@@ -71,7 +79,7 @@ int LineSweep::compare(const PosedPoint& p, const PosedPoint& q) const {
 int LineSweep::compare(const SweepEvent& p, const SweepEvent& q) const {
   if (p.place + p.error < q.place - q.error) return -1;
   if (q.place + q.error < p.place - p.error) return 1;
-  return compareFractionsExact(segment_, p.edge(), q.edge());
+  return areOne(p.edge(), q.edge()) ? 0 : compareFractionsExact(segment_, p.edge(), q.edge());
 }
 
 }  // namespace tricover::detail

@@ -11,4 +11,7 @@ namespace tricover::detail {
 /// margin. Exact; see covers().
 bool unionCovers(const std::vector<PosedPair>& part_and_areas, double margin);
 
+/// The same of one area.
+bool areaCovers(const PosedPair& part_and_area, double margin);
+
 }  // namespace tricover::detail

@@ -127,12 +127,13 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
     const AxisSide& own = side(of_a);
     FaceDepth face, best{};
     best.depth = std::numeric_limits<double>::infinity();
-    Double2 deepest{};
-    for (std::uint32_t k = first, left = own.ring.ring.size(); left > 0; skipDeep(own, deepest, k, left)) {
-      const Verdict verdict = lookBehind(of_a, k, at, face, deepest);
+    OtherCorners others(own.ring, side(!of_a).ring);
+    for (std::uint32_t k = first, left = own.ring.ring.size(); left > 0; skipDeep(own, others, k, left)) {
+      const Verdict verdict = lookBehind(of_a, k, at, face);
       if (verdict != Meet) return verdict;
       if (face.depth < best.depth) best = face;
       at = face.deepest;
+      others.put(at);
     }
     first = best.deepest;
     at = best.edge;
@@ -141,8 +142,7 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
 }
 
 /// The other one's corners are asked from `at` on. Unsure if the deepest isn't found.
-SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face,
-                                                   Double2& deepest) {
+SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face) {
   const AxisSide &own = side(of_a), &other = side(!of_a);
   const Double2 outwards = own.ring.normal(edge);
   const double square = dot(outwards, outwards);
@@ -158,11 +158,14 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge,
     v = corners.next(v);
     if (dot(inwards, corners.way(face.deepest, v)) > 0) face.deepest = v;
   }
-  deepest = other.ring.corner(face.deepest);
+  const Double2 deepest = other.ring.corner(face.deepest);
   face.of_a = of_a;
   face.edge = edge;
   face.depth = dot(outwards, own.ring.corner(edge) - deepest) / std::sqrt(square);
-  if (face.depth < -depthError()) return Apart;
+  if (face.depth < -depthError()) {
+    gap_ = roundedDown<1>(-face.depth - depthError());
+    return Apart;
+  }
   add(face);
   return Meet;
 }
@@ -176,22 +179,24 @@ std::uint32_t SeparatingAxes::edgeTowardsB() const {
   return cross(way, to_support) > 0 ? ring.previous(support) : support;
 }
 
-/// Of the faces that are left, on to the next one that point p of the other polygon doesn't prove to be too deep.
-void SeparatingAxes::skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const {
-  // What the point and an area are off by, of edges that are at most 2 sqrt2 sizes long; and a depth in the world is an
+/// Of the faces that are left, on to the next one that no corner of the other polygon proves to be too deep.
+void SeparatingAxes::skipDeep(const AxisSide& side, const OtherCorners& others, std::uint32_t& edge,
+                              std::uint32_t& left) const {
+  // What a corner and an area are off by, of edges that are at most 2 sqrt2 sizes long; and a depth in the world is an
   // area times the determinant by the edge's length there.
   const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + depthError(),
                most_square = most * most * (1 + 8.1 * kLargestDefect);
   const ConvexRing& ring = side.ring.ring;
-  const Double2 point = side.ring.inOwnFrame(p);
-  while (--left > 0) {
-    edge = ring.next(edge);
-    const Double2 way = ring.edge(edge), square = way * way;
-    const double area = cross(way, point - ring.vertex(edge)) - doubtful;
+  const auto isDeep = [&] {
+    const Double2 start = ring.vertex(edge), way = ring.edge(edge), square = way * way;
     // What is compared has all of its digits: `most` is no less than 2^-48 of the size, and so is an edge whose area
     // is above what is doubtful.
-    if (!(area > 0 && area * area > most_square * (square[0] + square[1]))) return;
-  }
+    const double area = others.largestArea(start, way) - doubtful;
+    return area > 0 && area * area > most_square * (square[0] + square[1]);
+  };
+  do {
+    edge = ring.next(edge);
+  } while (--left > 0 && isDeep());
 }
 
 /// Deeper faces are of no interest.

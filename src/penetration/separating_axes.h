@@ -31,6 +31,36 @@ struct AxisSide {
   const PosedRing ring;  ///< counter-clockwise in its own frame
 };
 
+/// Corners of an outline, in the frame of another one: of few four all around it, of many one at a time.
+class OtherCorners {
+ public:
+  OtherCorners(const PosedRing& own, const PosedRing& other) : own_(own), other_(other) {
+    for (std::uint32_t k = 0; k < 4 && areFew(); ++k) put(k * other.ring.size() / 4, k);
+  }
+  /// A corner that is deep behind a face is so behind the next one.
+  void put(std::uint32_t corner) {
+    if (!areFew()) put(corner, 0);
+  }
+  /// The largest area |way, corner - start|.
+  double largestArea(Double2 start, Double2 way) const {
+    if (!areFew()) return cross(way, Double2{x_[0][0], y_[0][0]} - start);
+    const auto areas = [&](int k) { return way[0] * (y_[k] - start[1]) - way[1] * (x_[k] - start[0]); };
+    const Double2 both = larger(areas(0), areas(1));
+    return std::max(both[0], both[1]);
+  }
+
+ private:
+  bool areFew() const { return other_.ring.size() <= 8; }
+  void put(std::uint32_t corner, std::uint32_t k) {
+    const Double2 at = own_.inOwnFrame(other_.corner(corner));
+    x_[k / 2][k % 2] = at[0];
+    y_[k / 2][k % 2] = at[1];
+  }
+
+  const PosedRing &own_, &other_;
+  Double2 x_[2], y_[2];
+};
+
 /// A face of either outline, and the corner of the other one that is deepest behind it.
 struct FaceDepth {
   bool of_a;
@@ -57,6 +87,8 @@ class SeparatingAxes {
   const FaceDepth* begin() const { return least_.data(); }
   const FaceDepth* end() const { return least_.data() + count_; }
   double leastDepth() const { return least_depth_; }
+  /// How far a pair is apart at least.
+  double gap() const { return gap_; }
 
   const AxisSide& side(bool of_a) const { return of_a ? a_ : b_; }
   /// At least what a corner is off by here and in the other one's frame, in either coordinate.
@@ -70,9 +102,9 @@ class SeparatingAxes {
 
  private:
   Verdict lookBehindAll();
-  Verdict lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face, Double2& deepest);
+  Verdict lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face);
   std::uint32_t edgeTowardsB() const;
-  void skipDeep(const AxisSide& side, Double2 p, std::uint32_t& edge, std::uint32_t& left) const;
+  void skipDeep(const AxisSide& side, const OtherCorners& others, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
   void add(const FaceDepth& face);
   void removeDeep();
@@ -87,6 +119,7 @@ class SeparatingAxes {
   double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
   std::array<FaceDepth, 8> least_;
   std::size_t count_ = 0;
+  double gap_ = 0;
   Verdict verdict_ = Unsure;
 };
 

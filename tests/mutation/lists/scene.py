@@ -22,6 +22,7 @@ MUTATIONS = [
     ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
     ("src/scene/sweep.h", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
     ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0", "options.touching == Touching::Collides", "clear box: learnt where an overlap is allowed"),
+    ("src/scene/collides.cpp", "state_.passes(filter_, slot) && !state_", "!state_", "scene: bodies that a filter leaves out"),
     ("src/scene/scene_state.cpp", "    room = 0;\n", "", "negative margins: a certificate outlasts an overlap that is allowed"),
     ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, std::abs(options.margin))", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
     ("src/scene/impacts.cpp", "{moving.trajectory, moving.absent_outside || options.absent_outside}", "{moving.trajectory, options.absent_outside}", "trajectories: a body of a scene that is absent stays"),
