@@ -22,7 +22,6 @@ struct Query {
 
 constexpr Query kQueries[] = {
     {"cache", soakCache},
-    {"collide", soakCollide},
     {"conflicts", soakConflicts},
     {"contacts", soakContacts},
     {"covers", soakCovers},

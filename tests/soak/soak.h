@@ -50,7 +50,6 @@ class Run {
 
 // One a file.
 void soakCache(Run& run);
-void soakCollide(Run& run);
 void soakConflicts(Run& run);
 void soakContacts(Run& run);
 void soakCovers(Run& run);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "random.h"
@@ -37,7 +38,7 @@ ContactOnWay contactOnWay(Case c, const Vec2& away, double far, int halvings);
 /// One way in which a pair can be degenerate; the same seed always makes the same case, and both outcomes are common.
 struct Family {
   const char* name;
-  Case (*make)(std::uint64_t seed);
+  std::function<Case(std::uint64_t seed)> make;
 };
 
 const std::vector<Family>& families();
