@@ -85,6 +85,13 @@ std::string wrongCase(const Law& law, std::uint64_t seed, std::uint64_t number, 
          std::to_string(number) + ": " + wrong;
 }
 
+Family family(const char* name, Case (*make)(Random& random)) {
+  return {name, [make](std::uint64_t seed) {
+            Random random(seed);
+            return make(random);
+          }};
+}
+
 void add(Laws& laws, const std::vector<Family>& families, int cases, const WrongPair& wrong, const Shares& shares,
          const std::string& prefix) {
   for (const Family& family : families)

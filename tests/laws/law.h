@@ -66,6 +66,9 @@ Laws allLaws();
 /// soak asks it alone.
 std::string wrongCase(const Law& law, std::uint64_t seed, std::uint64_t number, Tally& tally);
 
+/// One more family of pairs.
+Family family(const char* name, Case (*make)(Random& random));
+
 /// What is wrong with a pair; empty if nothing is. May change the pair before it asks.
 using WrongPair = std::function<std::string(Random& random, Tally& tally, Case& c)>;
 

@@ -159,9 +159,9 @@ Polygon make(Random& random, const Shape& shape, const Limits& limits) {
 
 /// As they come: exact, turned, mirrored, made of floats, hardly rigid any more.
 Pose anyRotation(Random& random) {
-  Pose result = support::pose(random.integer(0, 3) * kTurn / 4, 0, 0);
+  Pose result = support::turnedAndMoved(random.integer(0, 3) * kTurn / 4, 0, 0);
   if (random.oneIn(4)) result = Pose::Identity();
-  if (random.coin()) result = support::pose(random.real(0, kTurn), 0, 0);
+  if (random.coin()) result = support::turnedAndMoved(random.real(0, kTurn), 0, 0);
   if (random.oneIn(4)) result = mirrored(result);
   if (random.oneIn(5)) result = throughFloat(result);
   if (random.oneIn(5)) result = distorted(random, result);
@@ -229,7 +229,7 @@ void step(Random& random, Case& c) {
   const double angle = random.coin() ? 0 : random.real(-1, 1) * powerOf10(random, -16, -0.5);
   const int which = random.integer(0, 3);  // b, b, a, or both by the same
   const auto moved = [&](Pose& pose) {
-    Pose result = support::pose(angle, 0, 0) * pose;
+    Pose result = support::turnedAndMoved(angle, 0, 0) * pose;
     result.translation() = pose.translation() + by;
     if (result.translation().allFinite()) pose = result;
   };
@@ -256,6 +256,41 @@ double anyMargin(Random& random, const Case& c) {
                         : random.coin() ? apart * random.real(0.5, 1.5)
                                         : nudged(apart, random.integer(-1, 1));
   return margin < 1e150 ? std::max(margin, 0.0) : 0;
+}
+
+namespace {
+
+/// Through `pose` at some time, or at rest there.
+Motion anyMotion(Random& random, const Polygon& polygon, const Pose& pose, double reach) {
+  Motion motion = Motion::still(pose);
+  if (random.oneIn(4)) return motion;
+  const auto way = [&] {
+    return Vec2(reach * std::pow(10, random.real(-2, 1)) * Vec2(random.real(-1, 1), random.real(-1, 1)));
+  };
+  motion.shift = way();
+  if (random.coin()) {
+    motion.angle = random.real(-1, 1) * (random.oneIn(4) ? 30 : 3);
+    motion.pivot = random.coin() ? polygon.origin() : random.coin() ? Vec2(Vec2::Zero()) : way();
+    if (random.oneIn(4)) motion.shift.setZero();
+  }
+  if (random.oneIn(4)) {
+    motion.shift_2 = way();
+    motion.shift_3 = way();
+    motion.angle_2 = motion.angle == 0 ? 0 : random.real(-3, 3);
+  }
+  const double t = random.unit(), turn = t * motion.angle + t * t * motion.angle_2;
+  motion.start.linear() = support::turnedAndMoved(-turn, 0, 0).linear() * pose.linear();
+  motion.start.translation() = pose * motion.pivot - t * motion.shift - t * t * motion.shift_2 -
+                               t * t * t * motion.shift_3 - motion.start.linear() * motion.pivot;
+  return motion;
+}
+
+}  // namespace
+
+MovingCase anyFlight(Random& random, const Case& c) {
+  const double reach = c.a.radius() + c.b.radius();
+  const Motion motion_a = anyMotion(random, c.a, c.pose_a, reach), motion_b = anyMotion(random, c.b, c.pose_b, reach);
+  return {c.a, motion_a, c.b, motion_b};
 }
 
 StrategyCaches cachesOfOthers(Random& random) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "families.h"
+#include "lasting_contact_laws.h"
 #include "random.h"
 #include "strategies.h"
 
@@ -39,6 +40,9 @@ Case pushed(Random& random, Case c);
 
 /// As long as the distance but for an ulp, about as long, any length up to the larger size, or 0: below 1e150.
 double anyMargin(Random& random, const Case& c);
+
+/// Both on the way, or at rest: at some times they are where the case has them.
+support::MovingCase anyFlight(Random& random, const Case& c);
 
 /// Caches that have seen another pair.
 support::StrategyCaches cachesOfOthers(Random& random);

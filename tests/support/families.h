@@ -44,7 +44,7 @@ struct Family {
 const std::vector<Family>& families();
 
 /// And "large_outlines", of up to some hundred vertices, whose trees are several blocks deep: too slow for every
-/// oracle.
+/// law.
 std::vector<Family> familiesOfAllSizes();
 
 }  // namespace tricover::support

@@ -105,7 +105,7 @@ std::string reproduction(const MovingCase& c) {
          reproduction("motion_b", c.motion_b);
 }
 
-double lengthOf(const MovingCase& c) { return c.margin + lengthOf(c.a, c.motion_a, c.b, c.motion_b); }
+double lengthOf(const MovingCase& c) { return std::abs(c.margin) + lengthOf(c.a, c.motion_a, c.b, c.motion_b); }
 
 std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& counts) {
   const mpq_class margin = c.margin, length = lengthOf(c);
