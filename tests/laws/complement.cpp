@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collide_laws.h"
 #include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
@@ -19,7 +20,6 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "touching_families.h"
-#include "touching_laws.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"

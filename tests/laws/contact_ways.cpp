@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact_laws.h"
+#include "convex_depth.h"
 #include "families.h"
 #include "law.h"
 #include "reproduction.h"
@@ -24,7 +25,7 @@ using namespace support;
 std::string wrong(Random&, Tally& tally, Case& c) {
   if (!(rounding(c) < 1e290)) return {};  // where sums of coordinates overflow
   const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
-  const bool is_convex = isConvex(c.a) && isConvex(c.b), is_alone = found.size() == 1;
+  const bool is_convex = isStrictlyConvex(c.a) && isStrictlyConvex(c.b), is_alone = found.size() == 1;
   for (const Contact& contact : found) {
     const bool parted = !is_alone || parts(c, contact), last = edgesPartLast(c, contact);
     const char* kind = is_convex ? "convex" : contact.depth == 0 ? "touches" : "others";

@@ -6,7 +6,6 @@
 #include "law.h"
 #include "pairs.h"
 #include "touching_families.h"
-#include "touching_laws.h"
 #include "tricover/collide.h"
 #include "tricover/segment.h"
 

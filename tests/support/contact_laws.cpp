@@ -199,20 +199,6 @@ bool edgesPartLast(const Case& c, const Contact& contact) {
   return within(of_a, c.pose_a, of_b, moved(c.pose_b, contact.depth * contact.normal), 4 * rounding(c));
 }
 
-bool isConvex(const Polygon& polygon) {
-  const Ring& ring = polygon.rings()[0];
-  int left = 0, right = 0, changes = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 &p = ring[i], &q = ring[(i + 1) % ring.size()], &r = ring[(i + 2) % ring.size()];
-    const double turn = (q.x() - p.x()) * (r.y() - q.y()) - (q.y() - p.y()) * (r.x() - q.x());
-    left += turn > 0;
-    right += turn < 0;
-    changes += (q.x() > p.x()) != (r.x() > q.x());
-  }
-  const auto n = static_cast<int>(ring.size());
-  return polygon.rings().size() == 1 && (left == n || right == n) && changes == 2;
-}
-
 std::string wrongWayApart(const Case& c, const Contact& contact) {
   const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
   if (!p) return "no penetration";
