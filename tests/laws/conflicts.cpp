@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "conflict_laws.h"
-#include "lasting_contact_laws.h"
 #include "law.h"
 #include "pairs.h"
 #include "reference.h"
@@ -251,20 +250,6 @@ std::string wrongOfAnyShapes(Random& random, Tally& tally) {
   return wrongFlight(flight, "plans", std::pow(10, -random.integer(2, 5)), meetByReference, tally);
 }
 
-/// From contact, or nearly: beside exact intervals, or beside many samples.
-std::string wrongFromContact(Random& random, Tally& tally, bool is_shift) {
-  const MovingCase c = is_shift ? anyShiftFromContact(random) : anyMotionFromContact(random);
-  const double error = std::pow(10, -random.integer(2, 12));
-  LastingCounts counts;
-  const std::string wrong = is_shift ? wrongWithShifts(c, error, counts) : wrongWithSamples(c, error, 60, counts);
-  tally.count("at begin", counts.at_begin > 0);
-  tally.count("later", counts.later > 0);
-  tally.count("none", counts.none > 0);
-  tally.count("lasting", counts.lasting > 0);
-  return wrong.empty() ? wrong
-                       : wrong + ", time error " + hex(error) + ", margin " + hex(c.margin) + "\n" + reproduction(c);
-}
-
 Shares sharesOf(double least, const Kind* begin, const Kind* end) {
   Shares shares;
   for (const char* trait : {"none", "one", "more", "at begin", "until end"}) shares.push_back({trait, least, 0.9});
@@ -276,15 +261,7 @@ Shares sharesOf(double least, const Kind* begin, const Kind* end) {
 Laws conflictsLaws() {
   return {{"flights", 1800, wrongOfKinds, sharesOf(0.05, std::begin(kKinds), std::end(kKinds))},
           {"deep_flights", 1600, wrongOfDeepKinds, sharesOf(0.033, std::begin(kDeepKinds), std::end(kDeepKinds))},
-          {"any_shapes", 300, wrongOfAnyShapes, {{"none", 0.02, 0.98}}},
-          {"shifts_from_contact",
-           6000,
-           [](Random& random, Tally& tally) { return wrongFromContact(random, tally, true); },
-           {{"at begin", 0.333, 0.95}, {"later", 0.025, 1}, {"none", 0.01, 1}, {"lasting", 0.25, 1}}},
-          {"motions_from_contact",
-           1500,
-           [](Random& random, Tally& tally) { return wrongFromContact(random, tally, false); },
-           {{"at begin", 0.333, 0.95}, {"later", 0.05, 1}, {"lasting", 0.25, 1}}}};
+          {"any_shapes", 300, wrongOfAnyShapes, {{"none", 0.02, 0.98}}}};
 }
 
 const Register registered("conflicts", conflictsLaws);

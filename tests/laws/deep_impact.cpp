@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "lasting_contact_laws.h"
+#include "families.h"
 #include "law.h"
+#include "reproduction.h"
 #include "shapes.h"
 #include "tricover/conflicts.h"
 #include "tricover/time_of_impact.h"

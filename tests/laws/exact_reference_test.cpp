@@ -9,7 +9,7 @@
 
 #include "exact_depth.h"
 #include "exact_shifts.h"
-#include "lasting_contact_laws.h"
+#include "families.h"
 #include "shapes.h"
 #include "tricover/segment.h"
 

@@ -10,7 +10,7 @@
 
 #include "exact_reference.h"
 #include "exact_shifts.h"
-#include "lasting_contact_laws.h"
+#include "families.h"
 #include "law.h"
 #include "pairs.h"
 #include "reference.h"

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "families.h"
-#include "lasting_contact_laws.h"
 #include "random.h"
 #include "strategies.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "random.h"
+#include "tricover/motion.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 
@@ -17,6 +18,19 @@ struct Case {
   Polygon b;
   Pose pose_b;
 };
+
+struct MovingCase {
+  Polygon a;
+  Motion motion_a;
+  Polygon b;
+  Motion motion_b;
+  double margin = 0;
+};
+
+/// What time_of_impact.h calls L, of one of the two.
+double lengthOf(const Polygon& polygon, const Motion& motion);
+/// Of both: coming within 1e-13 of it may count as a contact.
+double lengthOf(const MovingCase& c);
 
 /// a: three quarters of a plane, cut off somewhere, around its corner at the origin; b: some cells of a grid near
 /// there, smaller than a by up to 1e11. Many edges lie on one line, but for rounding.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lasting_contact_laws.h"
-
+// conflicts() and timeOfImpact() of bodies that start in contact, or a few roundings beside it, and of contact that
+// lasts.
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "exact_shifts.h"
-#include "least_distance_laws.h"
+#include "families.h"
+#include "law.h"
 #include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
@@ -14,8 +17,10 @@
 #include "tricover/penetration.h"
 #include "tricover/segment.h"
 
-namespace tricover::support {
+namespace tricover::laws {
 namespace {
+
+using namespace support;
 
 std::vector<exact::TimeInterval> contactsOf(const MovingCase& c, const mpq_class& margin) {
   return exact::contactsOfShifts(c.a, c.motion_a, c.b, c.motion_b, margin);
@@ -98,16 +103,17 @@ Polygon anyOnGrid(Random& random) {
   }
 }
 
-}  // namespace
-
-std::string reproduction(const MovingCase& c) {
-  return reproduction({c.a, c.motion_a.start, c.b, c.motion_b.start}) + reproduction("motion_a", c.motion_a) +
-         reproduction("motion_b", c.motion_b);
+void count(Tally& tally, bool at_begin, const std::vector<Conflict>& found, const std::vector<Conflict>& later) {
+  tally.count("at begin", at_begin);
+  tally.count("later", !later.empty());
+  tally.count("none", found.empty());
+  tally.count("lasting",
+              std::any_of(found.begin(), found.end(), [](const Conflict& f) { return f.end - f.impact.time > 0.1; }));
 }
 
-double lengthOf(const MovingCase& c) { return std::abs(c.margin) + lengthOf(c.a, c.motion_a, c.b, c.motion_b); }
-
-std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& counts) {
+/// What is wrong with the intervals in which polygons that are only shifted meet, with what is left without the initial
+/// one, and with the times of impact.
+std::string wrongWithShifts(const MovingCase& c, double error, Tally& tally) {
   const mpq_class margin = c.margin, length = lengthOf(c);
   const std::vector<exact::TimeInterval> truth = contactsOf(c, margin),
                                          wide = contactsOf(c, margin + length * mpq_class("1/10000000000000"));
@@ -143,19 +149,13 @@ std::string wrongWithShifts(const MovingCase& c, double error, LastingCounts& co
     const auto next = std::find_if(wide.begin(), wide.end(), [](const exact::TimeInterval& i) { return i.begin > 0; });
     if (next == wide.end() || next->begin > later[0].end + seen) return at("the separation", later[0].impact.time);
   }
-  ++counts.cases;
-  counts.at_begin += starts_in_contact;
-  counts.later += !later.empty();
-  counts.none += found.empty();
-  for (const exact::TimeInterval& interval : truth)
-    if (interval.end - interval.begin > 0.1) {
-      ++counts.lasting;
-      break;
-    }
+  count(tally, starts_in_contact, found, later);
   return {};
 }
 
-std::string wrongWithSamples(const MovingCase& c, double error, int samples, LastingCounts& counts) {
+/// The same of any motions, beside exact distances at so many times: where they surely meet they are told to, and where
+/// they are surely apart, for longer than the error, they are not.
+std::string wrongWithSamples(const MovingCase& c, double error, int samples, Tally& tally) {
   ImpactOptions options;
   options.margin = c.margin;
   options.time_error = error;
@@ -190,15 +190,12 @@ std::string wrongWithSamples(const MovingCase& c, double error, int samples, Las
   const std::vector<Conflict> later = conflicts(c.a, c.motion_a, c.b, c.motion_b, options);
   wrong = wrongOrder(later);
   if (wrong.empty() && at_begin) wrong = wrongLater(c, options, found, later, true, seen);
-  ++counts.cases;
-  counts.at_begin += at_begin;
-  counts.later += !later.empty();
-  counts.none += found.empty();
-  counts.lasting +=
-      std::any_of(found.begin(), found.end(), [](const Conflict& f) { return f.end - f.impact.time > 0.1; });
+  count(tally, at_begin, found, later);
   return wrong;
 }
 
+/// Polygons on a grid, of which one starts in contact with the other, or at the margin, or some roundings beside it,
+/// and is shifted along an edge or anywhere, as the other one may be.
 MovingCase anyShiftFromContact(Random& random) {
   MovingCase c{anyOnGrid(random), {}, anyOnGrid(random), {}};
   const auto turned = [&](Pose& pose) {
@@ -249,6 +246,7 @@ MovingCase anyShiftFromContact(Random& random) {
   return c;
 }
 
+/// The same polygons and starts with rotations, about the contact or not, and cubics along it.
 MovingCase anyMotionFromContact(Random& random) {
   MovingCase c = anyShiftFromContact(random);
   const Vec2 by = c.motion_b.shift - c.motion_a.shift;
@@ -279,4 +277,28 @@ MovingCase anyMotionFromContact(Random& random) {
   return c;
 }
 
-}  // namespace tricover::support
+template <MovingCase (*make)(Random& random), bool is_shift>
+std::string wrong(Random& random, Tally& tally) {
+  const MovingCase c = make(random);
+  const double error = std::pow(10, -random.integer(2, 12));
+  const std::string problem = is_shift ? wrongWithShifts(c, error, tally) : wrongWithSamples(c, error, 60, tally);
+  return problem.empty()
+             ? problem
+             : problem + ", time error " + hex(error) + ", margin " + hex(c.margin) + "\n" + reproduction(c);
+}
+
+Laws lastingContactLaws() {
+  return {{"shifts",
+           6000,
+           wrong<anyShiftFromContact, true>,
+           {{"at begin", 0.333, 0.95}, {"later", 0.025, 1}, {"none", 0.01, 1}, {"lasting", 0.25, 1}}},
+          {"motions",
+           1500,
+           wrong<anyMotionFromContact, false>,
+           {{"at begin", 0.333, 0.95}, {"later", 0.05, 1}, {"lasting", 0.25, 1}}}};
+}
+
+const Register registered("lasting_contact", lastingContactLaws);
+
+}  // namespace
+}  // namespace tricover::laws
