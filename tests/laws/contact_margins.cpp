@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// crossings, contacts and penetrations with a margin, against exact distances, and beside polygons that are grown.
+// Contacts and penetrations with a margin, against exact distances, and beside polygons that are grown.
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "contact_laws.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "law.h"
-#include "pairs.h"
 #include "penetration_laws.h"
+#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/contacts.h"
@@ -23,46 +22,17 @@ namespace {
 
 using namespace support;
 
-bool areWithin(const Case& c, const Vec2& way, double margin) {
-  Pose moved = c.pose_b;
-  moved.translation() += way;
-  return exact::within(exact::distanceSquared(c.a, c.pose_a, c.b, moved), margin);
-}
-
-std::vector<std::pair<EdgeIndex, EdgeIndex>> nearEdges(const Case& c, double margin) {
-  const std::vector<bool> named_a = exact::edgesOfCrossings(c.a), named_b = exact::edgesOfCrossings(c.b);
-  const auto edgeOf = [](const Polygon& polygon, EdgeIndex edge) {
-    return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
-  };
-  std::vector<std::pair<EdgeIndex, EdgeIndex>> pairs;
-  for (EdgeIndex i = 0; i < static_cast<EdgeIndex>(c.a.vertexCount()); ++i)
-    for (EdgeIndex j = 0; j < static_cast<EdgeIndex>(c.b.vertexCount()); ++j)
-      if (named_a[static_cast<std::size_t>(i)] && named_b[static_cast<std::size_t>(j)] &&
-          areWithin({edgeOf(c.a, i), c.pose_a, edgeOf(c.b, j), c.pose_b}, Vec2::Zero(), margin))
-        pairs.emplace_back(i, j);
-  return pairs;
-}
-
-std::string wrongCrossings(const Case& c, double margin) {
-  std::vector<std::pair<EdgeIndex, EdgeIndex>> found;
-  for (const Crossing& crossing : crossings(c.a, c.pose_a, c.b, c.pose_b, {margin}))
-    found.emplace_back(crossing.edge_a, crossing.edge_b);
-  std::sort(found.begin(), found.end());
-  return found == nearEdges(c, margin) ? "" : "pairs of edges";
-}
-
 std::string wrong(Random& random, Tally& tally, Case& c) {
   const double apart = distance(c.a, c.pose_a, c.b, c.pose_b).distance;
   const double size = std::min(std::max(c.a.radius(), c.b.radius()), 1e140);
   const double margin = random.oneIn(3) && apart > 0 ? apart : random.unit() * size;
   if (!(margin < 1e150)) return {};
-  const bool truth = areWithin(c, Vec2::Zero(), margin);
+  const bool truth = Reference(c).within(margin);
   tally.count("hits", truth);
   if (truth) tally.count("apart", apart > 0);
   std::string problem = rounding(c) < 1e285 ? wrongContactsWithMargin(c, margin) : "";
   if (problem.empty() && c.a.vertexCount() * c.b.vertexCount() < 2000)
     problem = wrongPenetration(random, c, margin, penetration(c.a, c.pose_a, c.b, c.pose_b, {margin}), 2);
-  if (problem.empty() && c.a.vertexCount() * c.b.vertexCount() < 200) problem = wrongCrossings(c, margin);
   return problem.empty() ? problem : problem + ", margin " + hex(margin);
 }
 

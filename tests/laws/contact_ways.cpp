@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "contact_laws.h"
-#include "convex_depth.h"
 #include "families.h"
 #include "law.h"
+#include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/contacts.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "contact_laws.h"
-#include "convex_depth.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "law.h"

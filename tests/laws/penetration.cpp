@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "contact_laws.h"
-#include "convex_depth.h"
 #include "exact_penetration.h"
 #include "exact_reference.h"
 #include "families.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex_depth.h"
 #include "exact_penetration.h"
 #include "exact_reference.h"
 #include "reference.h"
