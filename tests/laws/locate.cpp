@@ -16,6 +16,7 @@
 #include "reference.h"
 #include "reproduction.h"
 #include "shapes.h"
+#include "stages.h"
 
 namespace tricover::laws {
 namespace {
@@ -135,6 +136,7 @@ std::string wrongOnAWalk(Random& random, Tally& tally) {
 
 /// A certificate answers for a point that stays, and for most steps of one that goes through the polygon slowly.
 std::string wrongOnSlowSteps(Random& random, Tally&) {
+  const UpTo all(detail::Stages::All);
   const Polygon polygon({star(random, 300, 2, 4)});
   PointCache cache;
   int answered = 0;
@@ -156,6 +158,7 @@ std::string wrongOnSlowSteps(Random& random, Tally&) {
 
 /// Of a point that jumps nothing is kept, until it moves slowly again.
 std::string wrongOnJumps(Random& random, Tally&) {
+  const UpTo all(detail::Stages::All);
   const Polygon polygon({star(random, 300, 2, 4)});
   PointCache cache;
   int rested = 0, answered = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene beside loops over the functions of all pairs of its bodies.
-#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,17 +75,20 @@ std::string wrongZones(Random& random, Tally& tally) {
   return wrongWalk(cases, random, tally, random.oneIn(6) ? 40 : 10, 15);
 }
 
+/// Of frames: some ten see each of these.
+Shares seen(double least, std::initializer_list<const char*> traits) {
+  Shares shares;
+  for (const char* trait : traits) shares.push_back({trait, least, 1});
+  return shares;
+}
+
 Laws sceneLaws() {
-  // Of frames: each of these is seen.
-  Shares seen;
-  for (const char* trait : {"hits", "began", "ended", "free", "inside", "impacts", "rays"})
-    seen.push_back({trait, 0.02, 1});
-  const Shares of_zones = {
-      {"hits", 0.02, 1}, {"began", 0.02, 1}, {"free", 0.02, 1}, {"impacts", 0.02, 1}, {"rays", 0.02, 1}};
-  Laws laws = {{"crowds", 20, wrongCrowd, seen}, {"zones", 24, wrongZones, of_zones}};
+  const auto all = {"hits", "began", "ended", "free", "inside", "impacts", "rays"};
+  Laws laws = {{"crowds", 20, wrongCrowd, seen(0.02, all)},
+               {"zones", 48, wrongZones, seen(0.014, {"hits", "began", "free", "impacts", "rays"})}};
   for (const Family& family : joined(families(), anyPairs()))
-    laws.push_back(
-        {family.name, 16, [family](Random& random, Tally& tally) { return wrongOf(family, random, tally); }, seen});
+    laws.push_back({family.name, 32, [family](Random& random, Tally& tally) { return wrongOf(family, random, tally); },
+                    seen(0.014, all)});
   return laws;
 }
 
