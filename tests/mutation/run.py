@@ -38,7 +38,7 @@ LISTS = {path.stem: runpy.run_path(str(path))["MUTATIONS"] for path in sorted((p
 CORE = [mutation for room, mutations in LISTS.items() if room != "adapter" for mutation in mutations]
 ADAPTER = LISTS["adapter"]
 # Neither the reference nor the workloads see the library's faults, and what stops by the clock finds other ones each time.
-LEFT_OUT = re.compile(r"exact_reference_test|workloads|fuzz_|soak_|fcl_alone|fcl_with_tricover")
+LEFT_OUT = re.compile(r"exact_reference_test|^reference_laws_test|workloads|fuzz_|soak_|fcl_alone|fcl_with_tricover")
 # Compiled once instead of in every file: what no mutation changes.
 CMAKE_CODE = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
   <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex_depth.h"
 #include "exact_penetration.h"
 #include "exact_reference.h"
 #include "reference.h"
@@ -197,20 +196,6 @@ bool edgesPartLast(const Case& c, const Contact& contact) {
   const Polygon of_a = contact.edge_a < 0 ? c.a : edgeOf(c.a, contact.edge_a);
   const Polygon of_b = contact.edge_b < 0 ? c.b : edgeOf(c.b, contact.edge_b);
   return within(of_a, c.pose_a, of_b, moved(c.pose_b, contact.depth * contact.normal), 4 * rounding(c));
-}
-
-bool isConvex(const Polygon& polygon) {
-  const Ring& ring = polygon.rings()[0];
-  int left = 0, right = 0, changes = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 &p = ring[i], &q = ring[(i + 1) % ring.size()], &r = ring[(i + 2) % ring.size()];
-    const double turn = (q.x() - p.x()) * (r.y() - q.y()) - (q.y() - p.y()) * (r.x() - q.x());
-    left += turn > 0;
-    right += turn < 0;
-    changes += (q.x() > p.x()) != (r.x() > q.x());
-  }
-  const auto n = static_cast<int>(ring.size());
-  return polygon.rings().size() == 1 && (left == n || right == n) && changes == 2;
 }
 
 std::string wrongWayApart(const Case& c, const Contact& contact) {

@@ -47,9 +47,6 @@ bool parts(const Case& c, const Contact& contact);
 /// Moving b by the depth along the normal brings the two edges together; in a containment, the one to the other region.
 bool edgesPartLast(const Case& c, const Contact& contact);
 
-/// Beyond doubt: one ring that turns one way at every vertex, and whose x falls and rises once.
-bool isConvex(const Polygon& polygon);
-
 /// What the only contact of a pair says of the way apart is wrong; empty if it isn't.
 std::string wrongWayApart(const Case& c, const Contact& contact);
 

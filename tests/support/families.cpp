@@ -120,6 +120,17 @@ std::vector<Family> familiesOfAllSizes() {
   return all;
 }
 
+double lengthOf(const Polygon& polygon, const Motion& m) {
+  const double reach = polygon.radius() + (polygon.origin() - m.pivot).stableNorm();
+  return m.shift.stableNorm() + m.shift_2.stableNorm() + m.shift_3.stableNorm() + m.pivot.stableNorm() +
+         (1 + std::abs(m.angle) + std::abs(m.angle_2) + std::abs(m.angle_3)) * reach;
+}
+
+double lengthOf(const MovingCase& c) {
+  return std::abs(c.margin) + (c.motion_a.start.translation() - c.motion_b.start.translation()).stableNorm() +
+         lengthOf(c.a, c.motion_a) + lengthOf(c.b, c.motion_b);
+}
+
 Case tinyInCorner(Random& random) {
   const double size = std::pow(10, random.integer(-11, -3)), far = random.real(1, 60);
   std::vector<Ring> cells;

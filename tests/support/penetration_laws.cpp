@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "contact_laws.h"
-#include "convex_depth.h"
 #include "exact_penetration.h"
 #include "exact_reference.h"
 #include "reference.h"

@@ -65,4 +65,10 @@ class Reference {
   mutable std::optional<bool> collides_;
 };
 
+/// One ring that turns the same way at every vertex, once around, beyond doubt.
+bool isStrictlyConvex(const Polygon& polygon);
+
+/// How deep two of them that overlap are in each other, by the least gap over the faces of both: in long doubles.
+Reference::Bounds convexDepth(const Case& c);
+
 }  // namespace tricover::support

@@ -58,4 +58,9 @@ std::string reproduction(const char* name, const Motion& motion) {
   return text;
 }
 
+std::string reproduction(const MovingCase& c) {
+  return reproduction({c.a, c.motion_a.start, c.b, c.motion_b.start}) + reproduction("motion_a", c.motion_a) +
+         reproduction("motion_b", c.motion_b);
+}
+
 }  // namespace tricover::support

@@ -12,6 +12,7 @@ namespace tricover::support {
 std::string reproduction(const Case& c);
 std::string reproduction(const Polygon& polygon, const Vec2& point);
 std::string reproduction(const char* name, const Motion& motion);
+std::string reproduction(const MovingCase& c);
 
 /// A hexadecimal literal of exactly this double.
 std::string hex(double value);

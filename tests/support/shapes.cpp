@@ -108,6 +108,8 @@ Pose pose(double xx, double xy, double x, double yx, double yy, double y) {
   return result;
 }
 
+Pose turnedAndMoved(double angle, double x, double y) { return pose(angle, x, y); }
+
 Pose pose(double angle, double x, double y) {
   Pose result = Pose::Identity();
   result.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();

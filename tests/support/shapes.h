@@ -51,6 +51,8 @@ Polygon goneRoundOften(std::vector<Ring> rings);
 /// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
+/// The public pose(x, y, heading) with the angle first.
+Pose turnedAndMoved(double angle, double x, double y);
 Pose pose(double angle, double x, double y);
 /// By its entries, a row after the other.
 Pose pose(double xx, double xy, double x, double yx, double yy, double y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short way to the contact of two convex polygons: which faces it looks at, which pairs it answers, and that it
-// answers them as penetration() does. Their laws are tests/oracle's.
+// answers them as penetration() does. Their laws are tests/laws/contacts.cpp's.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Containment by hand; tests/oracle/covers_oracle_test.cpp compares with rationals.
+// Containment by hand; tests/laws/covers.cpp compares with rationals.
 #include "tricover/covers.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths, excesses and Hausdorff distances that are known by hand. tests/oracle/depth_oracle_test.cpp has the laws of
+// Depths, excesses and Hausdorff distances that are known by hand. tests/laws/depth.cpp has the laws of
 // all families.
 #include "tricover/depth.h"
 

@@ -142,9 +142,9 @@ class Descents : public testing::TestWithParam<Family> {};
 /// distance. On all lanes they are the same bits.
 TEST_P(Descents, AreAlikeAndProveWhatTheySay) {
   const auto& own = tightFamilies();
-  const bool is_tight =
-      std::any_of(own.begin(), own.end(), [](const Family& family) { return family.make == GetParam().make; });
-  const bool is_wall = GetParam().make == seeded<besideAParallelWall>;
+  const bool is_tight = std::any_of(own.begin(), own.end(),
+                                    [](const Family& family) { return std::string(family.name) == GetParam().name; });
+  const bool is_wall = GetParam().name == std::string("beside_a_parallel_wall");
   int hits = 0, clear = 0, tight = 0;
   const int cases = scaledCount(is_tight ? 2000 : 400);
   for (int i = 0; i < cases; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Least distances known by hand. tests/oracle/least_distance_oracle_test.cpp has those of random motions.
+// Least distances known by hand. tests/laws/least_distance.cpp has those of random motions.
 #include "tricover/least_distance.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// castRay()'s and castRayAll()'s laws; the truth about degenerate rays is tests/oracle's.
+// castRay()'s and castRayAll()'s laws; the truth about degenerate rays is tests/laws/ray.cpp's.
 #include "tricover/ray.h"
 
 #include <gtest/gtest.h>

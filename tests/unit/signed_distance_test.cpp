@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signed distances known by hand, and what moving along the normal does. tests/oracle/distance_oracle_test.cpp has the
+// Signed distances known by hand, and what moving along the normal does. tests/laws/distance.cpp has the
 // laws of all families.
 #include "tricover/signed_distance.h"
 

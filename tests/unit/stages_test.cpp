@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is derived from a polygon, and when it is. That nobody sees it in an answer is a law of tests/oracle.
+// What is derived from a polygon, and when it is. That nobody sees it in an answer is a law of tests/laws.
 #include "stages.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// distance(), distanceWithin() and signedDistance() against exact rationals: in both orders, with caches, and what
+// options allow.
+#include "tricover/distance.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "distance_laws.h"
+#include "exact_reference.h"
+#include "families.h"
+#include "law.h"
+#include "limited_distance.h"
+#include "pairs.h"
+#include "reference.h"
+#include "reproduction.h"
+#include "shapes.h"
+#include "tricover/collide.h"
+
+namespace tricover::laws {
+namespace {
+
+using namespace support;
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// Limits around the truth, as near as an ulp.
+double limitAround(Random& random, const mpq_class& squared, double cold) {
+  switch (random.integer(0, 3)) {
+    case 0:
+      return cold;
+    case 1:
+      return exact::distanceBelow(squared);
+    case 2:
+      return nudged(std::min(exact::distanceBelow(squared), nudged(kLargest, -8)), random.integer(0, 8));
+    default:
+      return std::min(cold, kLargest) * random.real(0, 2);
+  }
+}
+
+LimitedOptions anyOptions(Random& random, const mpq_class& squared, double cold) {
+  LimitedOptions options;
+  const double length = std::min(cold, kLargest) * random.real(0, 2);
+  if (random.coin()) options.relative_error = random.coin() ? 0.5 : 1e-3;
+  if (random.coin()) options.absolute_error = random.coin() ? length : 1e-3 * length;
+  if (random.coin()) options.limit = limitAround(random, squared, cold);
+  if (!random.oneIn(3)) return options;
+  const double below = std::min(exact::distanceBelow(squared), nudged(kLargest, -2));
+  options.margin = random.oneIn(3) ? length
+                   : random.coin() ? below * random.unit()
+                                   : std::max(nudged(below, random.integer(-1, 1)), 0.0);
+  return options;
+}
+
+std::string wrongWith(Random& random, const Case& c, const mpq_class& squared, const DistanceResult& cold) {
+  if (!isRootOf(cold.distance, squared)) return "cold";
+  if ((cold.distance == 0) != collide(c.a, c.pose_a, c.b, c.pose_b)) return "collide";
+  const std::string points = wrongPoints(c, cold);
+  if (!points.empty()) return points;
+  if (!same(swapped(distance(c.b, c.pose_b, c.a, c.pose_a)), cold)) return "swapped";
+  PairCache old = cachesOfOthers(random).of_pair;
+  if (distance(c.a, c.pose_a, c.b, c.pose_b, old).distance != cold.distance) return "cache of other pairs";
+  PairCache cache;
+  for (int k = 0; k < 3; ++k) distance(c.a, c.pose_a, c.b, elsewhere(random, c), cache);
+  const DistanceResult cached = distance(c.a, c.pose_a, c.b, c.pose_b, cache);
+  if (cached.distance != cold.distance) return "cache of other poses";
+  if (!wrongPoints(c, cached).empty()) return "cache of other poses: " + wrongPoints(c, cached);
+  if (distance(c.b, c.pose_b, c.a, c.pose_a, cache).distance != cold.distance) return "that cache again, swapped";
+  const LimitedOptions options = anyOptions(random, squared, cold.distance);
+  const std::string wrong = wrongDistances(c, options, squared, cache);
+  if (!wrong.empty()) return wrong;
+  if (cold.distance <= options.limit && options.margin + options.relative_error + options.absolute_error == 0 &&
+      distance(c.a, c.pose_a, c.b, c.pose_b, options).distance != cold.distance)
+    return "a limit changes it";
+  if (distance(c.a, c.pose_a, c.b, c.pose_b, cache).distance != cold.distance) return "cache of other options";
+  return random.oneIn(3) ? wrongSignedDistance(c, random.coin() ? options.margin : 0) : "";
+}
+
+std::string wrong(Random& random, Tally& tally, Case& c) {
+  if (random.oneIn(3)) {
+    const double size = std::min(smallerRadius(c), kLargest);
+    const Vec2 apart = c.pose_b.translation() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+    if (apart.allFinite()) c.pose_b.translation() = apart;
+  }
+  const mpq_class squared = Reference(c).distanceSquared();
+  tally.count("hits", sgn(squared) == 0);
+  const DistanceResult cold = distance(c.a, c.pose_a, c.b, c.pose_b);
+  const std::string problem = wrongWith(random, c, squared, cold);
+  return problem.empty()
+             ? problem
+             : problem + ", cold " + hex(cold.distance) + ", truth above " + hex(exact::distanceBelow(squared));
+}
+
+Laws distanceLaws() {
+  Laws laws;
+  add(laws, families(), 1000, wrong, {{"hits", 0.1, 0.85}});
+  add(laws, anyPairs(), 1000, wrong);
+  return laws;
+}
+
+const Register registered("distance", distanceLaws);
+
+}  // namespace
+}  // namespace tricover::laws
