@@ -24,13 +24,13 @@ TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
     std::vector<fcl::CollisionObjectd> objects(2, fcl::CollisionObjectd(model));
     objects.emplace_back(other);
     std::vector<double> angle(3);
-    std::vector<tricover::Vec2> place = {{-1, 0}, {1.2, 0}, {0, 1.5}};
+    std::vector<Vec2> place = {{-1, 0}, {1.2, 0}, {0, 1.5}};
     for (int step = 0; step < 400; ++step) {
       const double stride = random.oneIn(40) ? 1 : 0.02;
       for (std::size_t i = 0; i < 3; ++i) {
         angle[i] += stride * random.real(-1, 1);
-        place[i] = 0.999 * place[i] + stride * tricover::Vec2(random.real(-1, 1), random.real(-1, 1));
-        objects[i].setTransform(lifted(tricover::support::pose(angle[i], place[i].x(), place[i].y())));
+        place[i] = 0.999 * place[i] + stride * Vec2(random.real(-1, 1), random.real(-1, 1));
+        objects[i].setTransform(lifted(pose(angle[i], place[i].x(), place[i].y())));
       }
       for (std::size_t i = 0; i < 3; ++i) {
         const fcl::CollisionObjectd *a = &objects[i], *b = &objects[(i + 1) % 3];
@@ -148,7 +148,7 @@ TEST(Coherence, aSlotThatWasAnotherPairsBeginsEmpty) {
 TEST(Coherence, fclCallsFillThePairsSlot) {
   onNewTable([] {
     Random random(13);
-    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    const Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
     const fcl::CollisionObjectd object_a(shapeOf(a)), object_b(shapeOf(b), lifted(0, 1.7, 0));
     for (int time = 0; time < 2; ++time) {
       fcl::CollisionResultd result;
@@ -179,10 +179,9 @@ TEST(Coherence, aTableIsSmallUntilUsed) {
 TEST(Coherence, aPairKeepsItsCacheWhileTheTableGrows) {
   onNewTable([] {
     Random random(19);
-    const tricover::Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
+    const Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
     const auto slot = [](std::uintptr_t k) { return slotOf(id(1), place(k), id(2), nullptr); };
-    for (std::uintptr_t k = 0; k < 64; ++k)
-      tricover::collide(a, tricover::Pose::Identity(), b, tricover::support::pose(0, 9, 0), *slot(k));
+    for (std::uintptr_t k = 0; k < 64; ++k) tricover::collide(a, Pose::Identity(), b, pose(0, 9, 0), *slot(k));
     int kept = 0;
     for (std::uintptr_t k = 0; k < 64; ++k) {
       const auto& certificate = tricover::detail::contentsOf(*slot(k)).collision;

@@ -7,36 +7,20 @@
 #include <cmath>
 #include <limits>
 
+#include "ask.h"
 #include "exact_reference.h"
-#include "scene.h"
 #include "tricover/distance.h"
 #include "tricover/segment.h"
-
-// float_scalar.cpp has them: once more, and optimised, they take a minute.
-extern template std::size_t fcl::collide(const fcl::CollisionGeometryf*, const fcl::Transform3f&,
-                                         const fcl::CollisionGeometryf*, const fcl::Transform3f&,
-                                         const fcl::CollisionRequestf&, fcl::CollisionResultf&);
-extern template float fcl::distance(const fcl::CollisionGeometryf*, const fcl::Transform3f&,
-                                    const fcl::CollisionGeometryf*, const fcl::Transform3f&,
-                                    const fcl::DistanceRequestf&, fcl::DistanceResultf&);
 
 namespace tricover_fcl::test {
 namespace {
 
-using tricover::Vec2;
-
 template <typename S = double>
 Shape<S> disc(double margin, const Vec2& center = Vec2::Zero(), double z_low = -1, double z_high = 1) {
-  return std::make_shared<PolygonShape<S>>(tricover::point(center), PolygonOptions{margin, z_low, z_high});
+  return shapeOf<S>(tricover::point(center), {margin, z_low, z_high});
 }
 
-template <typename S>
-std::size_t collide(const Shape<S>& a, const fcl::Transform3<S>& tf_a, const Shape<S>& b,
-                    const fcl::Transform3<S>& tf_b, bool contact = false) {
-  fcl::CollisionResult<S> result;
-  return fcl::collide<S>(a.get(), tf_a, b.get(), tf_b, fcl::CollisionRequest<S>(1, contact), result);
-}
-
+/// Of a result that has already found something as near as the limit.
 template <typename S>
 fcl::DistanceResult<S> distanceOf(const Shape<S>& a, const fcl::Transform3<S>& tf_a, const Shape<S>& b,
                                   const fcl::Transform3<S>& tf_b, double limit = 1e300) {
@@ -48,8 +32,7 @@ fcl::DistanceResult<S> distanceOf(const Shape<S>& a, const fcl::Transform3<S>& t
 /// Turned about z, mirrored or upside down, by rounded numbers, and tilted within the tolerance.
 template <typename S>
 fcl::Transform3<S> randomPlace(Random& random, double size) {
-  tricover::Pose pose =
-      tricover::support::pose(random.real(-4, 4), size * random.real(-1, 1), size * random.real(-1, 1));
+  Pose pose = tricover::support::pose(random.real(-4, 4), size * random.real(-1, 1), size * random.real(-1, 1));
   if (random.oneIn(4)) pose = mirrored(pose);
   fcl::Transform3<S> place = lifted<S>(pose, random.real(-0.4, 0.4));
   if (random.oneIn(4)) place.matrix()(2, 2) = -1;
@@ -69,8 +52,8 @@ void expectExact(std::uint64_t seed) {
     // Centres that aren't the origins are the kernel's.
     const Vec2 center_a = random.oneIn(8) ? Vec2(size * random.unit(), size) : Vec2::Zero();
     const fcl::Transform3<S> tf_a = randomPlace<S>(random, size), tf_b = randomPlace<S>(random, size);
-    const tricover::Pose pose_a = flat(tf_a), pose_b = flat(tf_b);
-    const tricover::Polygon a = tricover::point(center_a), b = tricover::point(Vec2::Zero());
+    const Pose pose_a = flat(tf_a), pose_b = flat(tf_b);
+    const Polygon a = tricover::point(center_a), b = tricover::point(Vec2::Zero());
     const mpq_class square = tricover::exact::distanceSquared(a, pose_a, b, pose_b);
     const double gap = tricover::exact::distanceBelow(square);
     const int steps = random.integer(-12, 12);
@@ -78,8 +61,7 @@ void expectExact(std::uint64_t seed) {
     const double of_a = reach * random.unit(), of_b = reach - of_a;
     const bool expected = tricover::exact::within(square, mpq_class(of_a + of_b));
     const Shape<S> disc_a = disc<S>(of_a, center_a), disc_b = disc<S>(of_b);
-    ASSERT_EQ(collide(disc_a, tf_a, disc_b, tf_b), std::size_t{expected}) << i;
-    ASSERT_EQ(collide(disc_b, tf_b, disc_a, tf_a, true), std::size_t{expected}) << i;
+    ASSERT_EQ(meet(disc_a, tf_a, disc_b, tf_b), expected) << i;
     hits += expected;
     near += std::abs(of_a + of_b - gap) <= 13 * std::numeric_limits<double>::epsilon() * gap;
 
@@ -130,8 +112,8 @@ TEST(Discs, thatTouchAreNotApartByARoundedRoot) {
     const double m = random.integer(1 << 24, 1 << 25), n = random.integer(1, 1 << 24);
     const double x = m * m - n * n, y = 2 * m * n, apart = m * m + n * n;
     const Shape<double> a = disc(apart - 1), b = disc(1);
-    const fcl::Transform3d here = fcl::Transform3d::Identity(), there = lifted(0, x, y);
-    ASSERT_EQ(collide(a, here, b, there), 1u) << i;
+    const Transform here = kHere, there = lifted(0, x, y);
+    ASSERT_TRUE(meet(a, here, b, there)) << i;
     ASSERT_EQ(distanceOf(a, here, b, there).min_distance, 0) << i;
     rounded += std::sqrt(x * x + y * y) > apart;
   }
@@ -143,104 +125,49 @@ TEST(Discs, arePointsAtTheOrigin) {
   EXPECT_TRUE(disc(0, {-0.0, 0.0})->isDisc());
   EXPECT_FALSE(disc(1, {0, 1e-300})->isDisc());
   EXPECT_FALSE(shapeOf(tricover::segment({0, 0}, {1, 0}))->isDisc());
-  EXPECT_FALSE(shapeOf(tricover::Polygon({{{0, 0}, {0, 0}, {0, 0}}, {{1, 0}, {2, 0}, {1, 1}}}))->isDisc());
+  EXPECT_FALSE(shapeOf(Polygon({{{0, 0}, {0, 0}, {0, 0}}, {{1, 0}, {2, 0}, {1, 1}}}))->isDisc());
 }
 
 TEST(Discs, meetAtSharedHeightsAlone) {
   const Shape<double> low = disc(2), high = disc(1, Vec2::Zero(), 1, 4);
   const auto at = [](double x, double z) { return lifted(0, x, 0, z); };
-  EXPECT_EQ(collide(low, at(0, 0), high, at(2, 0)), 1u);
-  EXPECT_EQ(collide(low, at(0, 0), high, at(2, nudged(0, 1))), 0u);
-  EXPECT_EQ(collide(high, at(2, 5), low, at(0, 0)), 0u);
-  const auto apart = distanceOf(low, at(0, 0), high, at(6, 4));
-  EXPECT_EQ(apart.min_distance, 5);  // 3 aside, 4 up
-  EXPECT_EQ(apart.nearest_points[0], fcl::Vector3d(2, 0, 1));
-  EXPECT_EQ(apart.nearest_points[1], fcl::Vector3d(5, 0, 5));
+  EXPECT_TRUE(meet(low, at(0, 0), high, at(2, 0)));
+  EXPECT_FALSE(meet(low, at(0, 0), high, at(2, nudged(0, 1))));
+  EXPECT_FALSE(meet(high, at(2, 5), low, at(0, 0)));
   // Upside down it reaches from -4 to -1.
-  fcl::Transform3d below = at(2, 0);
+  Transform below = at(2, 0);
   below.matrix()(2, 2) = -1;
-  EXPECT_EQ(collide(high, below, disc(1, Vec2::Zero(), -9, -4), at(0, 0)), 1u);
-  EXPECT_EQ(collide(high, below, disc(1, Vec2::Zero(), 1, 4), at(0, 0)), 0u);
-  const auto level = distanceOf(disc(1, Vec2::Zero(), -9, -3), at(0, 0), high, [&] {
-    fcl::Transform3d moved = below;
-    moved.translation().x() = 5;
-    return moved;
-  }());
-  EXPECT_EQ(level.min_distance, 3);
-  EXPECT_EQ(level.nearest_points[0], fcl::Vector3d(1, 0, -3.5));
-  EXPECT_EQ(level.nearest_points[1], fcl::Vector3d(4, 0, -3.5));
+  EXPECT_TRUE(meet(high, below, disc(1, Vec2::Zero(), -9, -4), at(0, 0)));
+  EXPECT_FALSE(meet(high, below, disc(1, Vec2::Zero(), 1, 4), at(0, 0)));
 }
 
 TEST(Discs, whatIsFoundFartherAwayIsNoNews) {
   const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d place = lifted(0, 5, 0);
-  EXPECT_EQ(distanceOf(a, fcl::Transform3d::Identity(), b, place, 3.5).min_distance, 3);
-  const auto known = distanceOf(a, fcl::Transform3d::Identity(), b, place, 2.5);
+  const Transform place = lifted(0, 5, 0);
+  EXPECT_EQ(distanceOf(a, kHere, b, place, 3.5).min_distance, 3);
+  const auto known = distanceOf(a, kHere, b, place, 2.5);
   EXPECT_EQ(known.min_distance, 2.5);
   EXPECT_EQ(known.o1, nullptr);
 }
 
 TEST(Discs, contactsAndOccupancyAreThoseOfPolygons) {
   const Shape<double> a = disc(1), b = disc(2);
-  const fcl::Transform3d place = lifted(0, 2, 0);
+  const Transform place = lifted(0, 2, 0);
   fcl::CollisionResultd result;
-  ASSERT_EQ(
-      fcl::collide(a.get(), fcl::Transform3d::Identity(), b.get(), place, fcl::CollisionRequestd(1, true), result), 1u);
-  EXPECT_EQ(result.getContact(0).normal, fcl::Vector3d::UnitX());
-  EXPECT_EQ(collide(a, fcl::Transform3d::Identity(), b, place), 1u);
+  ASSERT_EQ(fcl::collide(a.get(), kHere, b.get(), place, fcl::CollisionRequestd(1, true), result), 1u);
+  EXPECT_EQ(result.getContact(0).normal, Vec3::UnitX());
+  EXPECT_TRUE(meet(a, kHere, b, place));
   b->cost_density = 0;
-  EXPECT_EQ(collide(a, fcl::Transform3d::Identity(), b, place), 0u);
+  EXPECT_FALSE(meet(a, kHere, b, place));
 }
 
-TEST(Discs, posesAreCheckedAsThoseOfPolygons) {
+TEST(Discs, optionsCount) {
   const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d good = lifted(1, 5, 0);
-  const auto refusals = [&](const fcl::Transform3d& bad) {
-    int refused = 0;
-    refused += thrownBy<std::invalid_argument>([&] { collide(a, bad, b, good); }).find("pose_a") != std::string::npos;
-    refused += thrownBy<std::invalid_argument>([&] { collide(a, good, b, bad); }).find("pose_b") != std::string::npos;
-    refused += thrownBy<std::invalid_argument>([&] { distanceOf(a, bad, b, good); }) != "";
-    refused += thrownBy<std::invalid_argument>([&] { distanceOf(a, good, b, bad); }) != "";
-    return refused;
-  };
-  EXPECT_EQ(refusals(good), 0);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      fcl::Transform3d bad = fcl::Transform3d::Identity();
-      bad.matrix()(row, column) = std::numeric_limits<double>::quiet_NaN();
-      EXPECT_EQ(refusals(bad), 4) << row << column;
-      if (column == 3) continue;
-      const double limit = (row == 2) == (column == 2) ? tricover::kRigidTolerance : 1e-6;  // a tilt is left out
-      bad = fcl::Transform3d::Identity();
-      bad.matrix()(row, column) += 3 * limit;
-      EXPECT_EQ(refusals(bad), 4) << row << column;
-      bad = fcl::Transform3d::Identity();
-      bad.matrix()(row, column) += 0.3 * limit;
-      EXPECT_EQ(refusals(bad), 0) << row << column;
-    }
-  }
-  fcl::Transform3d all = fcl::Transform3d::Identity();
-  all.matrix().block<1, 2>(2, 0).setConstant(9e-7);
-  all.matrix().block<2, 1>(0, 2).setConstant(-9e-7);
-  EXPECT_EQ(refusals(all), 0);
-}
-
-TEST(Discs, optionsAreCheckedAsThoseOfPolygons) {
-  const Shape<double> a = disc(1), b = disc(1);
-  const fcl::Transform3d place = lifted(0, 5, 0);
-  for (const auto& [relative, absolute] :
-       {std::pair{-1.0, 0.0}, {0.0, -1.0}, {std::nan(""), 0.0}, {0.0, std::nan("")}}) {
-    fcl::DistanceRequestd request(false, false, relative, absolute);
-    fcl::DistanceResultd result;
-    EXPECT_THROW(fcl::distance(a.get(), fcl::Transform3d::Identity(), b.get(), place, request, result),
-                 std::invalid_argument);
-  }
+  const Transform place = lifted(0, 5, 0);
   fcl::CollisionResultd near, nearer;
   const fcl::CollisionRequestd request;
-  EXPECT_EQ(tricover_fcl::collide<double>(a.get(), fcl::Transform3d::Identity(), b.get(), place, request, {3}, near),
-            1u);
-  EXPECT_EQ(
-      tricover_fcl::collide<double>(a.get(), fcl::Transform3d::Identity(), b.get(), place, request, {2.9}, nearer), 0u);
+  EXPECT_EQ(tricover_fcl::collide<double>(a.get(), kHere, b.get(), place, request, {3}, near), 1u);
+  EXPECT_EQ(tricover_fcl::collide<double>(a.get(), kHere, b.get(), place, request, {2.9}, nearer), 0u);
 }
 
 }  // namespace

@@ -2,25 +2,18 @@
 // Distances and depths of convex polygons beside those that FCL's GJK and EPA find for prisms over them. tricover's
 // distances are held to the exact reference, so a difference is FCL's error; its depths are such that a smaller one
 // can't be right, because the pair still overlaps once it has been moved by that much.
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "ask.h"
 #include "exact_reference.h"
 #include "prism.h"
-#include "scene.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-using tricover::Ring;
-using tricover::Vec2;
-using tricover::support::Random;
 
 struct Tally {
   int count = 0, off = 0;       ///< off: by more than 1e-6 of the size, which is 1
@@ -36,36 +29,31 @@ struct Tally {
 
 /// LIBCCD's by its signed distance. INDEP's EPA finds depths of the wrong sign, which makes FCL's own signed distance
 /// abort on an assertion, so collide is asked for it.
-double depthOf(const fcl::Convexd& a, const fcl::Transform3d& tf_a, const fcl::Convexd& b, const fcl::Transform3d& tf_b,
+double depthOf(const fcl::Convexd& a, const Transform& tf_a, const fcl::Convexd& b, const Transform& tf_b,
                fcl::GJKSolverType solver) {
-  if (solver == fcl::GST_LIBCCD) {
-    fcl::DistanceRequestd request;
-    request.enable_signed_distance = true;
-    fcl::DistanceResultd result;
-    fcl::distance(&a, tf_a, &b, tf_b, request, result);
-    return -result.min_distance;
-  }
+  if (solver == fcl::GST_LIBCCD) return -distanceOf(solver, true, a, tf_a, b, tf_b).min_distance;
   fcl::CollisionRequestd request(1, true);
   request.gjk_solver_type = solver;
   fcl::CollisionResultd result;
   return fcl::collide(&a, tf_a, &b, tf_b, request, result) > 0 ? -result.getContact(0).penetration_depth : 0;
 }
 
-constexpr fcl::GJKSolverType kSolvers[] = {fcl::GST_LIBCCD, fcl::GST_INDEP};
 constexpr const char* kNames[] = {"LIBCCD", "INDEP"};
 
 TEST(GjkDistances, convex) {
   registerNarrowphase();
   Tally distances[2], depths[2];
   int missed[2] = {0, 0}, alarms[2] = {0, 0};
-  for (int i = 0; i < tricover::support::scaledCount(3000); ++i) {
+  for (int i = 0; i < scaledCount(3000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
-    const Ring ring_a = tricover::support::regular(random.integer(3, 12), random.real(0.3, 1));
-    const Ring ring_b = tricover::support::regular(random.integer(3, 12), random.real(0.3, 1));
-    const tricover::Polygon a({ring_a}), b({ring_b});
-    const tricover::Pose pose_a = tricover::support::pose(random.real(0, 6), 0, 0);
-    const tricover::Pose pose_b =
-        tricover::support::pose(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
+    const auto ring = [&] {
+      const int corners = random.integer(3, 12);
+      return regular(corners, random.real(0.3, 1));
+    };
+    const Ring ring_a = ring(), ring_b = ring();
+    const Polygon a({ring_a}), b({ring_b});
+    const Pose pose_a = pose(random.real(0, 6), 0, 0);
+    const Pose pose_b = pose(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
     // Of unequal heights, and higher than wide: the shortest way out lies in the plane.
     const auto prism_a = tricover::support::makePrism(ring_a, 8), prism_b = tricover::support::makePrism(ring_b, 16);
 
@@ -76,17 +64,14 @@ TEST(GjkDistances, convex) {
     const auto penetration = tricover::penetration(a, pose_a, b, pose_b);
     ASSERT_EQ(penetration.has_value(), distance == 0) << i;
     if (penetration) {
-      tricover::Pose moved = pose_b;
+      Pose moved = pose_b;
       moved.translation() += penetration->translation;
       EXPECT_FALSE(tricover::exact::collide(a, pose_a, b, moved)) << i;
       moved.translation() = pose_b.translation() + (1 - 1e-9) * penetration->depth * penetration->normal;
       EXPECT_TRUE(tricover::exact::collide(a, pose_a, b, moved)) << i;
     }
     for (int s = 0; s < 2; ++s) {
-      fcl::DistanceRequestd request;
-      request.gjk_solver_type = kSolvers[s];
-      fcl::DistanceResultd result;
-      fcl::distance(prism_a.get(), lifted(pose_a), prism_b.get(), lifted(pose_b), request, result);
+      const auto result = distanceOf(kSolvers[s], false, prism_a, lifted(pose_a), prism_b, lifted(pose_b));
       if ((result.min_distance <= 0) != (distance == 0))
         ++(distance == 0 ? missed : alarms)[s];
       else if (distance > 0)

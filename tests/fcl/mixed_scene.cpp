@@ -7,7 +7,6 @@ namespace tricover_fcl::test {
 
 template <typename S>
 std::vector<Known<S>> knownGeometries() {
-  using Vec3 = fcl::Vector3<double>;
   const fcl::Matrix3<double> upright = fcl::Matrix3<double>::Identity();
   const fcl::Matrix3<double> lying = turned(M_PI / 2, Vec3::UnitY());    // local z along x
   const fcl::Matrix3<double> leaning = turned(M_PI / 4, Vec3::UnitY());  // local z towards +x

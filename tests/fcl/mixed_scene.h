@@ -34,15 +34,15 @@ struct Known {
   bool grazing;  ///< it only touches the plane
 };
 
-template <typename S>
-fcl::Transform3<S> placed(const fcl::Vector3<double>& at, const fcl::Matrix3<double>& rotation) {
+template <typename S = double>
+fcl::Transform3<S> placed(const Vec3& at, const fcl::Matrix3<double>& rotation) {
   fcl::Transform3<S> transform = fcl::Transform3<S>::Identity();
   transform.linear() = rotation.cast<S>();
   transform.translation() = at.cast<S>();
   return transform;
 }
 
-inline fcl::Matrix3<double> turned(double angle, const fcl::Vector3<double>& axis) {
+inline fcl::Matrix3<double> turned(double angle, const Vec3& axis) {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
@@ -67,35 +67,91 @@ Geometry<S> boxMesh(const fcl::Vector3<S>& half) {
   return mesh;
 }
 
-/// The tetrahedron of the origin and three points on the axes.
+/// The tetrahedron of these corners, of which the first three are seen clockwise from the fourth.
 template <typename S>
-Geometry<S> tetrahedron(S x, S y, S z) {
-  const auto vertices = std::make_shared<const std::vector<fcl::Vector3<S>>>(std::vector<fcl::Vector3<S>>{
-      fcl::Vector3<S>::Zero(), fcl::Vector3<S>(x, 0, 0), fcl::Vector3<S>(0, y, 0), fcl::Vector3<S>(0, 0, z)});
+Geometry<S> tetrahedron(const std::vector<fcl::Vector3<S>>& corners) {
   const auto faces =
       std::make_shared<const std::vector<int>>(std::vector<int>{3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3});
-  return std::make_shared<fcl::Convex<S>>(vertices, 4, faces);
+  return std::make_shared<fcl::Convex<S>>(std::make_shared<const std::vector<fcl::Vector3<S>>>(corners), 4, faces);
 }
 
-/// With the cells [1, 1.5]^2 x [0, 0.5] and [-3, -2.5]^2 x [0, 0.5] occupied and [2, 2.5] x [0, 0.5] x [0, 0.5] free.
+/// Of the origin and three points on the axes.
 template <typename S>
-std::shared_ptr<fcl::OcTree<S>> octree() {
-  const auto tree = std::make_shared<octomap::OcTree>(0.5);
-  tree->updateNode(octomap::point3d(1.2f, 1.2f, 0.2f), true);
-  tree->updateNode(octomap::point3d(-2.8f, -2.8f, 0.2f), true);
-  tree->updateNode(octomap::point3d(2.2f, 0.2f, 0.2f), false);
+Geometry<S> tetrahedron(S x, S y, S z) {
+  return tetrahedron<S>({fcl::Vector3<S>::Zero(), {x, 0, 0}, {0, y, 0}, {0, 0, z}});
+}
+
+/// Of cells of this size, by points in them.
+template <typename S = double>
+std::shared_ptr<fcl::OcTree<S>> octreeOf(double cell, const std::vector<fcl::Vector3f>& occupied,
+                                         const std::vector<fcl::Vector3f>& free = {}) {
+  const auto tree = std::make_shared<octomap::OcTree>(cell);
+  for (const fcl::Vector3f& p : occupied) tree->updateNode(octomap::point3d(p.x(), p.y(), p.z()), true);
+  for (const fcl::Vector3f& p : free) tree->updateNode(octomap::point3d(p.x(), p.y(), p.z()), false);
   return std::make_shared<fcl::OcTree<S>>(std::shared_ptr<const octomap::OcTree>(tree));
 }
 
-/// A tip to the left, on the line y = 0, at x = 0.
-template <typename S>
-Shape<S> tip() {
-  return shapeOf<S>(tricover::Polygon({{{0, 0}, {1, -0.1}, {1, 0.1}}}));
+/// With the cells [1, 1.5]^2 x [0, 0.5] and [-3, -2.5]^2 x [0, 0.5] occupied and [2, 2.5] x [0, 0.5] x [0, 0.5] free.
+template <typename S = double>
+std::shared_ptr<fcl::OcTree<S>> octree() {
+  return octreeOf<S>(0.5, {{1.2f, 1.2f, 0.2f}, {-2.8f, -2.8f, 0.2f}}, {{2.2f, 0.2f, 0.2f}});
 }
 
-template <typename S>
+/// A tip to the left, on the line y = 0, at x = 0.
+template <typename S = double>
+Shape<S> tip(const PolygonOptions& options = {}) {
+  return shapeOf<S>(Polygon({{{0, 0}, {1, -0.1}, {1, 0.1}}}), options);
+}
+
+template <typename S = double>
 fcl::Transform3<S> shifted(double x, double y, double z) {
   return placed<S>({x, y, z}, fcl::Matrix3<double>::Identity());
+}
+
+inline Vec3 anyPoint(Random& random, double reach) {
+  const double x = random.real(-reach, reach), y = random.real(-reach, reach);
+  return {x, y, random.real(-reach, reach)};
+}
+
+/// Anywhere in space, turned anyhow.
+inline Transform anywhere(Random& random, double reach) {
+  const Vec3 axis = anyPoint(random, 1), at = anyPoint(random, reach);
+  return placed(at, turned(random.real(0, 6), axis));
+}
+
+/// With its axis in the plane, which is that of a lying capsule.
+inline Transform lying(const Vec2& axis, const Vec3& at) {
+  fcl::Matrix3d rotation;
+  rotation << -axis.y(), 0, axis.x(), axis.x(), 0, axis.y(), 0, 1, 0;
+  return placed(at, rotation);
+}
+
+/// One of FCL's solids, by a number from 0 to 6, with lengths that are drawn.
+template <typename S, typename Length>
+Geometry<S> solid(int kind, const Length& length) {
+  const S a = static_cast<S>(length()), b = static_cast<S>(length()), c = static_cast<S>(length());
+  switch (kind) {
+    case 0:
+      return std::make_shared<fcl::Box<S>>(a, b, c);
+    case 1:
+      return std::make_shared<fcl::Sphere<S>>(a);
+    case 2:
+      return std::make_shared<fcl::Ellipsoid<S>>(a, b, c);
+    case 3:
+      return std::make_shared<fcl::Capsule<S>>(a, b);
+    case 4:
+      return std::make_shared<fcl::Cylinder<S>>(a, b);
+    case 5:
+      return std::make_shared<fcl::Cone<S>>(a, b);
+    default:
+      return tetrahedron<S>(a, b, c);
+  }
+}
+
+/// Planes and halfspaces go everywhere.
+template <typename S>
+bool isEndless(const fcl::CollisionGeometry<S>& geometry) {
+  return geometry.getNodeType() == fcl::GEOM_PLANE || geometry.getNodeType() == fcl::GEOM_HALFSPACE;
 }
 
 /// Every geometry that FCL knows, standing, lying or tilted.

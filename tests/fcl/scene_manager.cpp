@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SceneManager shows its callbacks what brute force finds, whatever it is asked.
-#include "tricover_fcl/scene_manager.h"
-
-#include <fcl/broadphase/default_broadphase_callbacks.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <thread>
 #include <utility>
 
 #include "managers.h"
 #include "mixed_scene.h"
-#include "seen_pairs.h"
 
 namespace tricover_fcl::test {
 namespace {
-
-template <typename S>
-double leastDistance(const std::vector<Object<S>*>& ps, const std::vector<Object<S>*>& qs) {
-  fcl::DistanceResult<S> least;
-  for (const Object<S>* p : ps) {
-    for (const Object<S>* q : qs) {
-      if (p == q) continue;
-      fcl::DistanceResult<S> result;
-      tricover_fcl::distance(p, q, fcl::DistanceRequest<S>(), result);
-      least.min_distance = std::min(least.min_distance, result.min_distance);
-    }
-  }
-  return static_cast<double>(least.min_distance);
-}
 
 template <typename S>
 Shape<S> randomShape(Random& random, double size) {
@@ -38,24 +18,7 @@ Shape<S> randomShape(Random& random, double size) {
   if (random.oneIn(3)) options = PolygonOptions::atAllHeights();
   if (random.oneIn(3)) options.z_low = random.real(-1, 0), options.z_high = random.real(0, 1);
   if (random.oneIn(3)) options.margin = random.real(0, 0.2) * size;
-  return std::make_shared<PolygonShape<S>>(randomPolygon(random, size), options);
-}
-
-template <typename S>
-Geometry<S> randomGeometry(Random& random, double size) {
-  const S s = static_cast<S>(size);
-  switch (random.integer(0, 4)) {
-    case 0:
-      return std::make_shared<fcl::Sphere<S>>(s);
-    case 1:
-      return std::make_shared<fcl::Box<S>>(s, 2 * s, s);
-    case 2:
-      return std::make_shared<fcl::Capsule<S>>(s / 2, s);
-    case 3:
-      return std::make_shared<fcl::Cylinder<S>>(s / 2, s);
-    default:
-      return std::make_shared<fcl::Ellipsoid<S>>(s, s / 2, s / 3);
-  }
+  return shapeOf<S>(randomPolygon(random, size), options);
 }
 
 /// In the plane, now and then upside down; others anyhow.
@@ -74,7 +37,8 @@ fcl::Transform3<S> randomPlace(Random& random, const Object<S>& object, double w
 template <typename S>
 std::unique_ptr<Object<S>> randomObject(Random& random, double size, double width) {
   const bool polygon = !random.oneIn(3);
-  const Geometry<S> geometry = polygon ? Geometry<S>(randomShape<S>(random, size)) : randomGeometry<S>(random, size);
+  const Geometry<S> geometry = polygon ? Geometry<S>(randomShape<S>(random, size))
+                                       : solid<S>(random.integer(0, 6), [&] { return size * random.real(0.3, 1); });
   auto object = std::make_unique<Object<S>>(geometry);
   object->setTransform(randomPlace(random, *object, width));
   object->computeAABB();
@@ -97,7 +61,7 @@ bool moveSomehow(Random& random, Object<S>& object, double width) {
   } else {
     fcl::Transform3<S> pose = object.getTransform();
     const double angle = random.oneIn(3) ? 0 : random.real(-0.2, 0.2);
-    pose.linear() = turned(angle, fcl::Vector3d::UnitZ()).template cast<S>() * pose.linear();
+    pose.linear() = turned(angle, Vec3::UnitZ()).template cast<S>() * pose.linear();
     pose.translation() +=
         fcl::Vector3<S>(static_cast<S>(random.real(-0.3, 0.3)), static_cast<S>(random.real(-0.3, 0.3)), 0);
     object.setTransform(pose);
@@ -125,20 +89,13 @@ void expectFramesAsByBruteForce() {
     const std::vector<Object<S>*> now(registered.begin(), registered.end());
     ASSERT_EQ(manager.size(), now.size());
     const Pairs expected = hitsOf(now, now);
-    Seen<S> self;
-    manager.collide(&self, see<S>);
-    expectSeen(self, expected);
+    expectSeen<S>(expected, [&](auto* seen) { manager.collide(seen, see<S>); });
     hits += expected.size();
     pairs += now.size() * (now.size() - 1) / 2;
-
-    for (const auto& query : others) {
-      Seen<S> seen;
-      manager.collide(query.get(), &seen, see<S>);
-      expectSeen(seen, hitsOf(now, {query.get()}));
-    }
-    Seen<S> own;  // one of the manager's
-    manager.collide(now.front(), &own, see<S>);
-    expectSeen(own, hitsOf(now, {now.front()}));
+    std::vector<Object<S>*> queries = pointers(others);
+    queries.push_back(now.front());  // one of the manager's
+    for (Object<S>* query : queries)
+      expectSeen<S>(hitsOf(now, {query}), [&](auto* seen) { manager.collide(query, seen, see<S>); });
 
     std::vector<Object<S>*> moved;
     for (const auto& object : objects) {
@@ -194,9 +151,7 @@ TEST(SceneManager, anyManagerIsAPartner) {
     manager.distance(partner.get(), &data, defaultDistanceFunction<double>);
     EXPECT_LE(data.result.min_distance, 0);  // they overlap
   }
-  Seen<double> self;
-  manager.collide(&manager, &self, see<double>);
-  expectSeen(self, hitsOf(pointers(mine), pointers(mine)));
+  expectSeen(hitsOf(pointers(mine), pointers(mine)), [&](auto* seen) { manager.collide(&manager, seen, see<double>); });
 }
 
 /// Objects in cells of their own: most of them apart.
@@ -221,11 +176,6 @@ Objects<S> sparseObjects(Random& random, int side, double cell, bool polygons_on
 template <typename S>
 void expectDistancesAsByBruteForce(bool polygons_only, double precision) {
   Random random(53);
-  const auto ask = [](const auto& query) {
-    fcl::DefaultDistanceData<S> data;
-    query(&data);
-    return static_cast<double>(data.result.min_distance);
-  };
   for (int i = 0; i < scaledCount(30); ++i) {
     SCOPED_TRACE(i);
     const Objects<S> mine = sparseObjects<S>(random, 5, 3, polygons_only, 0);
@@ -233,19 +183,18 @@ void expectDistancesAsByBruteForce(bool polygons_only, double precision) {
     SceneManager<S> manager, partner;
     manager.registerObjects(pointers(mine));
     partner.registerObjects(pointers(theirs));
-    const auto near = [&](double found, double expected) {
-      EXPECT_NEAR(found, expected, precision * std::abs(expected));
+    const auto expectLeast = [&](const std::vector<Object<S>*>& others, const auto& query) {
+      fcl::DefaultDistanceData<S> data;
+      query(&data);
+      const double expected = leastDistance(pointers(mine), others);
+      EXPECT_NEAR(static_cast<double>(data.result.min_distance), expected, precision * std::abs(expected));
     };
-    near(ask([&](auto* data) { manager.distance(data, defaultDistanceFunction<S>); }),
-         leastDistance(pointers(mine), pointers(mine)));
-    near(ask([&](auto* data) { manager.distance(&partner, data, defaultDistanceFunction<S>); }),
-         leastDistance(pointers(mine), pointers(theirs)));
-    near(ask([&](auto* data) { manager.distance(&manager, data, defaultDistanceFunction<S>); }),
-         leastDistance(pointers(mine), pointers(mine)));
-    for (Object<S>* query : {theirs[0].get(), theirs[4].get(), mine[7].get()}) {
-      near(ask([&](auto* data) { manager.distance(query, data, defaultDistanceFunction<S>); }),
-           leastDistance(pointers(mine), {query}));
-    }
+    constexpr auto distance = defaultDistanceFunction<S>;
+    expectLeast(pointers(mine), [&](auto* data) { manager.distance(data, distance); });
+    expectLeast(pointers(theirs), [&](auto* data) { manager.distance(&partner, data, distance); });
+    expectLeast(pointers(mine), [&](auto* data) { manager.distance(&manager, data, distance); });
+    for (Object<S>* query : {theirs[0].get(), theirs[4].get(), mine[7].get()})
+      expectLeast({query}, [&](auto* data) { manager.distance(query, data, distance); });
   }
 }
 
@@ -271,7 +220,7 @@ TEST(SceneManager, distanceShowsTheNearestFirst) {
   const Objects<double> objects = sparseObjects<double>(random, 6, 3, true, 0);
   SceneManagerd manager;
   manager.registerObjects(pointers(objects));
-  fcl::CollisionObjectd query(rectangular(0, 0, 1, 1), shifted<double>(7, 30, 0));
+  fcl::CollisionObjectd query(rectangular(0, 0, 1, 1), shifted(7, 30, 0));
   CountedDistance of_query, of_all;
   manager.distance(&query, &of_query, countDistance);
   EXPECT_LE(of_query.calls, 6);  // of 36; what lies at other heights is nearer in the plane than in space
@@ -298,7 +247,7 @@ TEST(SceneManager, threadsMayAskAtOnce) {
   }
   for (std::thread& thread : threads) thread.join();
   for (std::size_t i = 0; i < 4; ++i) {
-    expectSeen(self[i], expected);
+    expectSeen(expected, [&](auto* seen) { *seen = self[i]; });
     EXPECT_EQ(given[i].hits, hitsOf(pointers(objects), pointers(queries)));
   }
 }

@@ -2,34 +2,27 @@
 // SceneManager where FCL's managers stop, crash or lose objects: callbacks that end queries, objects that come twice or
 // not at all, boxes without bounds, poses that no query takes.
 #include <functional>
-#include <limits>
 
+#include "managers.h"
 #include "mixed_scene.h"
-#include "seen_pairs.h"
-#include "tricover_fcl/scene_manager.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-bool count(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data) {
+/// Callbacks that count, of collide and distance, which end the query or don't.
+template <bool kEnds>
+bool counts(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data) {
   ++*static_cast<int*>(data);
-  return false;
+  return kEnds;
 }
 
-bool countAndStop(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data) {
-  ++*static_cast<int*>(data);
-  return true;
+template <bool kEnds>
+bool countsDistance(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data, double&) {
+  return counts<kEnds>(nullptr, nullptr, data);
 }
 
-bool countOnly(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data, double&) {
-  ++*static_cast<int*>(data);
-  return false;
-}
-
-bool countDistanceAndStop(fcl::CollisionObjectd*, fcl::CollisionObjectd*, void* data, double&) {
-  ++*static_cast<int*>(data);
-  return true;
-}
+constexpr auto count = counts<false>, countAndStop = counts<true>;
+constexpr auto countOnly = countsDistance<false>, countDistanceAndStop = countsDistance<true>;
 
 int calls(const std::function<void(void*)>& query) {
   int number = 0;
@@ -42,9 +35,8 @@ Objects<double> fourSquaresAndAHalfspace() {
   Objects<double> objects;
   const Shape<double> square = rectangular(0, 0, 1, 1);
   for (const double x : {0.0, 1.0, 5.0, 6.0})
-    objects.push_back(std::make_unique<fcl::CollisionObjectd>(square, shifted<double>(x, 0, 0)));
-  objects.push_back(
-      std::make_unique<fcl::CollisionObjectd>(std::make_shared<fcl::Halfspaced>(fcl::Vector3d(1, 0, 0), -100)));
+    objects.push_back(std::make_unique<fcl::CollisionObjectd>(square, shifted(x, 0, 0)));
+  objects.push_back(std::make_unique<fcl::CollisionObjectd>(std::make_shared<fcl::Halfspaced>(Vec3(1, 0, 0), -100)));
   return objects;
 }
 
@@ -107,17 +99,15 @@ TEST(SceneManager, objectsComeOnceAndGoAtAnyTime) {
 
 TEST(SceneManager, namesWhatIsMissing) {
   SceneManagerd manager;
-  fcl::CollisionObjectd bare(nullptr);
+  fcl::CollisionObjectd bare(nullptr), *const no_object = nullptr;
+  SceneManagerd* const no_manager = nullptr;
   int number = 0;
-  const auto expectRefused = [](const char* field, const auto& query) {
-    EXPECT_NE(thrownBy<std::invalid_argument>(query).find(field), std::string::npos);
-  };
-  expectRefused("object", [&] { manager.registerObject(nullptr); });
-  expectRefused("object", [&] { manager.registerObject(&bare); });
-  expectRefused("object", [&] { manager.collide(static_cast<fcl::CollisionObjectd*>(nullptr), &number, count); });
-  expectRefused("object", [&] { manager.distance(&bare, &number, countOnly); });
-  expectRefused("manager", [&] { manager.collide(static_cast<SceneManagerd*>(nullptr), &number, count); });
-  expectRefused("manager", [&] { manager.distance(static_cast<SceneManagerd*>(nullptr), &number, countOnly); });
+  expectRefused({"object"}, [&] { manager.registerObject(nullptr); });
+  expectRefused({"object"}, [&] { manager.registerObject(&bare); });
+  expectRefused({"object"}, [&] { manager.collide(no_object, &number, count); });
+  expectRefused({"object"}, [&] { manager.distance(&bare, &number, countOnly); });
+  expectRefused({"manager"}, [&] { manager.collide(no_manager, &number, count); });
+  expectRefused({"manager"}, [&] { manager.distance(no_manager, &number, countOnly); });
   EXPECT_TRUE(manager.empty());
 }
 
@@ -131,8 +121,8 @@ TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
     manager.collide(&seen, see<double>);
   };
   EXPECT_NO_THROW(ask());
-  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), 2.0}) {
-    fcl::Transform3d pose = shifted<double>(300, 0, 0);
+  for (const double wrong : {kNaN, 2.0}) {
+    Transform pose = shifted(300, 0, 0);
     pose.linear() *= wrong;
     objects[2]->setTransform(pose);
     objects[2]->computeAABB();
@@ -140,7 +130,7 @@ TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
     EXPECT_THROW(ask(), std::invalid_argument);
   }
   // One that leaves the plane is shown where its box is met.
-  objects[2]->setTransform(placed<double>({300, 0, 0}, turned(1, {1, 0, 0})));
+  objects[2]->setTransform(placed({300, 0, 0}, turned(1, {1, 0, 0})));
   objects[2]->computeAABB();
   manager.update();
   EXPECT_NO_THROW(ask());
@@ -148,12 +138,12 @@ TEST(SceneManager, whatNoQueryTakesIsShownSoThatItIsRefused) {
   objects[2]->computeAABB();
   manager.update();
   EXPECT_THROW(ask(), std::invalid_argument);
-  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(0.7, 0.2, 0.4));
+  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted(0.7, 0.2, 0.4));
   Seen<double> seen;
   manager.collide(&ball, &seen, see<double>);  // it meets the tilted one
   EXPECT_EQ(seen.shown.size(), 1u);
 
-  objects[2]->setTransform(shifted<double>(0.5, 0, 0));
+  objects[2]->setTransform(shifted(0.5, 0, 0));
   manager.update(objects[2].get());
   EXPECT_NO_THROW(ask());
 }
@@ -164,7 +154,7 @@ TEST(SceneManager, boxesFollowWhatTurns) {
   SceneManagerd manager;
   manager.registerObjects({&bar, &wall});
   const auto shownAt = [&](double angle) {
-    bar.setTransform(placed<double>({0, 0, 0}, turned(angle, fcl::Vector3d::UnitZ())));
+    bar.setTransform(placed({0, 0, 0}, turned(angle, Vec3::UnitZ())));
     bar.computeAABB();
     manager.update();
     Seen<double> seen;
@@ -181,7 +171,7 @@ TEST(SceneManager, hugeAndTinyBoxes) {
   // Where FCL's trees crash.
   for (const double size : {1e-300, 1e300}) {
     const Shape<double> square = rectangular(0, 0, size, size);
-    fcl::CollisionObjectd p(square), q(square, shifted<double>(size, 0, 0)), r(square, shifted<double>(3 * size, 0, 0));
+    fcl::CollisionObjectd p(square), q(square, shifted(size, 0, 0)), r(square, shifted(3 * size, 0, 0));
     fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(size));
     SceneManagerd manager;
     manager.registerObjects({&p, &q, &r});
@@ -192,13 +182,12 @@ TEST(SceneManager, hugeAndTinyBoxes) {
 
 TEST(SceneManager, aTiltWithinTheToleranceMovesHighPrisms) {
   // To the ball the prism leans; to polygons it doesn't.
-  fcl::Transform3d pose = fcl::Transform3d::Identity();
-  pose.linear() = turned(9e-7, fcl::Vector3d::UnitY());
-  const auto tower =
-      std::make_shared<PolygonShaped>(tricover::Polygon({rectangle(0, 0, 1, 1)}), PolygonOptions{0, 0, 1e6});
+  Transform pose = kHere;
+  pose.linear() = turned(9e-7, Vec3::UnitY());
+  const auto tower = shapeOf(Polygon({rectangle(0, 0, 1, 1)}), {0, 0, 1e6});
   fcl::CollisionObjectd prism(tower);
-  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted<double>(1.5, 0.5, 9e5));
-  fcl::CollisionObjectd flat(rectangular(1.2, 0, 2, 1), shifted<double>(0, 0, 9e5));
+  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(0.1), shifted(1.5, 0.5, 9e5));
+  fcl::CollisionObjectd flat(rectangular(1.2, 0, 2, 1), shifted(0, 0, 9e5));
   SceneManagerd manager;
   manager.registerObjects({&prism, &ball, &flat});
   Seen<double> upright;

@@ -1,153 +1,123 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What isn't supported says so, by throwing; FCL would print a warning and answer "free".
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/octree/octree.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/continuous_collision.h>
-#include <fcl/narrowphase/distance.h>
-
+// What isn't supported says so, by throwing; FCL would print a warning and answer "free". And FCL's own pairs go to
+// FCL.
+#include <limits>
+#include <set>
 #include <utility>
 
-#include "scene.h"
+#include "mixed_scene.h"
 
 namespace tricover_fcl::test {
 namespace {
 
-using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
-using Named = std::pair<std::string, Geometry>;
-
-const std::vector<fcl::Vector3d> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-template <typename BV>
-Geometry mesh() {
-  const auto model = std::make_shared<fcl::BVHModel<BV>>();
-  model->beginModel();
-  model->addSubModel(kCorners, {fcl::Triangle(0, 1, 2), fcl::Triangle(0, 1, 3)});
-  model->endModel();
-  return model;
-}
-
 /// Of no type that FCL knows: BV_UNKNOWN.
-class Unknown : public fcl::CollisionGeometryd {
+class Unknown : public Body {
   void computeLocalAABB() override {}
 };
 
-std::shared_ptr<fcl::OcTree<double>> occupiedOctree() {
-  const auto tree = std::make_shared<octomap::OcTree>(0.5);
-  tree->updateNode(octomap::point3d(0.1f, 0.1f, 0), true);
-  return std::make_shared<fcl::OcTree<double>>(std::shared_ptr<const octomap::OcTree>(tree));
+/// One of each type.
+std::vector<Geometry<double>> otherGeometries() {
+  std::vector<Geometry<double>> all = {std::make_shared<fcl::TrianglePd>(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)),
+                                       std::make_shared<Unknown>()};
+  std::set<fcl::NODE_TYPE> types;
+  for (const Known<double>& known : knownGeometries<double>())
+    if (types.insert(known.geometry->getNodeType()).second) all.push_back(known.geometry);
+  EXPECT_EQ(all.size(), std::size_t{fcl::NODE_COUNT});
+  return all;
 }
 
-std::vector<Named> otherGeometries() {
-  const auto corners = std::make_shared<const std::vector<fcl::Vector3d>>(kCorners);
-  const auto faces =
-      std::make_shared<const std::vector<int>>(std::vector<int>{3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3});
-  return {{"GEOM_BOX", std::make_shared<fcl::Boxd>(1, 1, 1)},
-          {"GEOM_SPHERE", std::make_shared<fcl::Sphered>(1)},
-          {"GEOM_ELLIPSOID", std::make_shared<fcl::Ellipsoidd>(1, 2, 3)},
-          {"GEOM_CAPSULE", std::make_shared<fcl::Capsuled>(1, 1)},
-          {"GEOM_CONE", std::make_shared<fcl::Coned>(1, 1)},
-          {"GEOM_CYLINDER", std::make_shared<fcl::Cylinderd>(1, 1)},
-          {"GEOM_CONVEX", std::make_shared<fcl::Convexd>(corners, 4, faces)},
-          {"GEOM_PLANE", std::make_shared<fcl::Planed>(fcl::Vector3d::UnitX(), 0)},
-          {"GEOM_HALFSPACE", std::make_shared<fcl::Halfspaced>(fcl::Vector3d::UnitX(), 0)},
-          {"GEOM_TRIANGLE", std::make_shared<fcl::TrianglePd>(kCorners[0], kCorners[1], kCorners[2])},
-          {"BV_AABB", mesh<fcl::AABBd>()},
-          {"BV_OBB", mesh<fcl::OBBd>()},
-          {"BV_RSS", mesh<fcl::RSSd>()},
-          {"BV_kIOS", mesh<fcl::kIOSd>()},
-          {"BV_OBBRSS", mesh<fcl::OBBRSSd>()},
-          {"BV_KDOP16", mesh<fcl::KDOP<double, 16>>()},
-          {"BV_KDOP18", mesh<fcl::KDOP<double, 18>>()},
-          {"BV_KDOP24", mesh<fcl::KDOP<double, 24>>()},
-          {"GEOM_OCTREE", occupiedOctree()},
-          {"BV_UNKNOWN", std::make_shared<Unknown>()}};
-}
-
-/// Asks every entry point about the pair; each must throw and name the operation and `name`.
-void expectRefused(const fcl::CollisionGeometryd& a, const fcl::CollisionGeometryd& b, const std::string& name) {
-  const fcl::Transform3d pose = fcl::Transform3d::Identity();
-  const auto expectThrown = [&name](const std::string& operation, const auto& query) {
-    const std::string text = thrownBy<std::logic_error>(query);
-    EXPECT_NE(text.find(operation), std::string::npos) << operation << ": " << text;
-    EXPECT_NE(text.find(name), std::string::npos) << operation << ": " << text;
-    EXPECT_NE(text.find("; make"), std::string::npos) << "doesn't say what to do instead: " << text;
+/// Asks every entry point about the pair; each must throw and name the operation, `name`, and what to do instead.
+void expectRefusedEverywhere(const Body& a, const Body& b, const std::string& name) {
+  const auto expect = [&name](const std::string& operation, const auto& query) {
+    expectRefused<std::logic_error>({operation, name, "; make"}, query);
   };
-  for (const fcl::GJKSolverType solver : {fcl::GST_LIBCCD, fcl::GST_INDEP}) {
+  for (const fcl::GJKSolverType solver : kSolvers) {
     fcl::CollisionRequestd request;
     request.gjk_solver_type = solver;
     fcl::CollisionResultd result;
-    expectThrown("collide", [&] { fcl::collide(&a, pose, &b, pose, request, result); });
-    expectThrown("collide", [&] { tricover_fcl::collide(&a, pose, &b, pose, request, result); });
+    expect("collide", [&] { fcl::collide(&a, kHere, &b, kHere, request, result); });
+    expect("collide", [&] { tricover_fcl::collide(&a, kHere, &b, kHere, request, result); });
     EXPECT_FALSE(result.isCollision());
-    fcl::DistanceRequestd distance_request;
-    distance_request.gjk_solver_type = solver;
-    fcl::DistanceResultd distance_result;
-    expectThrown("distance", [&] { fcl::distance(&a, pose, &b, pose, distance_request, distance_result); });
-
-    fcl::ContinuousCollisionRequestd continuous_request;
-    continuous_request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
-    continuous_request.gjk_solver_type = solver;
-    fcl::ContinuousCollisionResultd continuous_result;
-    expectThrown("conservative advancement", [&] {
-      fcl::continuousCollide(&a, pose, pose, &b, pose, pose, continuous_request, continuous_result);
+    expect("distance", [&] { distanceOf(solver, false, a, kHere, b, kHere); });
+    Impact impact;
+    expect("conservative advancement", [&] {
+      fcl::continuousCollide(&a, kHere, kHere, &b, kHere, kHere, advancing(1e-4, fcl::CCDM_TRANS, solver), impact);
     });
   }
 }
 
-const Shape<double> kPolygon = rectangular(0, 0, 1, 1);
-
 TEST(Unsupported, fclsOwnTriangleAndUnknownGeometriesInBothOrders) {
-  const std::vector<Named> others = otherGeometries();
-  EXPECT_EQ(others.size(), std::size_t{fcl::NODE_COUNT});
-  for (const auto& [name, other] : others) {
+  const Shape<double> polygon = rectangular(0, 0, 1, 1);
+  const auto others = otherGeometries();
+  for (const auto& [other, name] : {std::pair(others[0], "fcl::TriangleP<double>"), {others[1], "Unknown"}}) {
     SCOPED_TRACE(name);
-    if (name != "GEOM_TRIANGLE" && name != "BV_UNKNOWN") continue;
-    const std::string class_name = name == "GEOM_TRIANGLE" ? "fcl::TriangleP<double>" : "Unknown";
-    expectRefused(*kPolygon, *other, class_name);
-    expectRefused(*other, *kPolygon, class_name);
-    expectRefused(*kPolygon, *other, "tricover_fcl::PolygonShape<double>");
+    expectRefusedEverywhere(*polygon, *other, name);
+    expectRefusedEverywhere(*other, *polygon, name);
+    expectRefusedEverywhere(*polygon, *other, "tricover_fcl::PolygonShape<double>");
   }
 }
 
 TEST(Unsupported, fclsOwnTriangleIsAnsweredAsByFcl) {
-  for (const auto& [name, other] : otherGeometries()) {
-    SCOPED_TRACE(name);
-    const fcl::TrianglePd triangle(kCorners[0], kCorners[1], kCorners[2]);
-    fcl::CollisionResultd result;
-    const fcl::Transform3d pose = fcl::Transform3d::Identity();
-    ::testing::internal::CaptureStderr();
-    EXPECT_EQ(fcl::collide<double>(&triangle, pose, other.get(), pose, fcl::CollisionRequestd(), result), 0u);
-    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: collision function between node type "), 0u);
-    fcl::DistanceResultd distance;
-    ::testing::internal::CaptureStderr();
-    EXPECT_EQ(fcl::distance<double>(&triangle, pose, other.get(), pose, fcl::DistanceRequestd(), distance),
-              std::numeric_limits<double>::max());
-    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: distance function between node type "), 0u);
-    fcl::ContinuousCollisionRequestd advancing;
-    advancing.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
-    fcl::ContinuousCollisionResultd passing;
-    ::testing::internal::CaptureStderr();
-    fcl::continuousCollide<double>(&triangle, pose, pose, other.get(), pose, pose, advancing, passing);
-    EXPECT_FALSE(passing.is_collide);
-    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("Warning: collision function between node type "), 0u);
+  const auto others = otherGeometries();
+  const Body& triangle = *others[0];
+  for (const auto& other : others) {
+    SCOPED_TRACE(other->getNodeType());
+    const auto expectWarning = [](const std::string& operation, const auto& query) {
+      ::testing::internal::CaptureStderr();
+      query();
+      const std::string text = ::testing::internal::GetCapturedStderr();
+      EXPECT_EQ(text.find("Warning: " + operation + " function between node type "), 0u) << text;
+    };
+    expectWarning("collision", [&] { EXPECT_FALSE(collides(triangle, kHere, other, kHere)); });
+    expectWarning("distance", [&] {
+      EXPECT_EQ(distanceOf(fcl::GST_LIBCCD, false, triangle, kHere, other, kHere).min_distance,
+                std::numeric_limits<double>::max());
+    });
+    expectWarning("collision", [&] {
+      Impact impact;
+      fcl::continuousCollide<double>(&triangle, kHere, kHere, other.get(), kHere, kHere, advancing(1e-4), impact);
+      EXPECT_FALSE(impact.is_collide);
+    });
+  }
+}
+
+template <typename S>
+void expectFclsAnswers() {
+  const fcl::Sphere<S> ball(1);
+  const auto here = fcl::Transform3<S>::Identity(), near = lifted<S>(0, 1.5, 0), far = lifted<S>(0, 5, 0);
+  for (const auto& there : {here, near, far}) {
+    fcl::CollisionResult<S> result;
+    EXPECT_EQ(tricover_fcl::collide<S>(&ball, here, &ball, there, fcl::CollisionRequest<S>(), result),
+              std::size_t{there.translation().x() < 2});
+    fcl::DistanceResult<S> distance;
+    const S found = tricover_fcl::distance<S>(&ball, here, &ball, there, fcl::DistanceRequest<S>(), distance);
+    EXPECT_NEAR(found, there.translation().x() < 2 ? -1 : 3, 1e-6);
   }
 }
 
 TEST(Unsupported, fclsOtherPairsAnswerAsBefore) {
+  expectFclsAnswers<double>();
+  expectFclsAnswers<float>();
+  const auto ball = std::make_shared<fcl::Sphered>(1);
+  const fcl::CollisionObjectd near(ball), far(ball, fcl::Matrix3d::Identity(), Vec3(5, 0, 0));
+  fcl::CollisionResultd hit, miss, by_options;
+  EXPECT_EQ(tricover_fcl::collide(&near, &near, fcl::CollisionRequestd(), hit), 1u);
+  EXPECT_EQ(tricover_fcl::collide(&near, &far, fcl::CollisionRequestd(), miss), 0u);
+  fcl::DistanceResultd distance;
+  EXPECT_NEAR(tricover_fcl::distance(&near, &far, fcl::DistanceRequestd(), distance), 3, 1e-6);
+  const Impact impact = impactOf(ball, lifted(0, -5, 0), lifted(0, 5, 0), ball, kHere, kHere,
+                                 advancing(1e-9, fcl::CCDM_LINEAR));  // which asks tricover's function
+  EXPECT_TRUE(impact.is_collide);
+  EXPECT_NEAR(impact.time_of_contact, 0.3, 1e-2);
+  EXPECT_THROW(
+      tricover_fcl::collide<double>(ball.get(), kHere, ball.get(), kHere, {}, tricover::CollideOptions{}, by_options),
+      std::logic_error);
   // The tables that replace libfcl's hold its rows, too.
-  const fcl::Boxd box(1, 1, 1);
-  const fcl::Sphered sphere(1);
-  fcl::Transform3d pose = fcl::Transform3d::Identity();
   for (const double x : {1.4, 1.6}) {
-    pose.translation().x() = x;
-    fcl::CollisionResultd result;
-    EXPECT_EQ(fcl::collide(&box, fcl::Transform3d::Identity(), &sphere, pose, fcl::CollisionRequestd(), result),
-              std::size_t{x < 1.5});
-    fcl::DistanceResultd distance;
-    const double answer =
-        fcl::distance(&box, fcl::Transform3d::Identity(), &sphere, pose, fcl::DistanceRequestd(), distance);
-    EXPECT_NEAR(answer, x < 1.5 ? -1 : 0.1, 1e-6);
+    const fcl::Boxd box(1, 1, 1);
+    EXPECT_EQ(collides(box, kHere, ball, shifted(x, 0, 0)), x < 1.5);
+    EXPECT_NEAR(distanceOf(fcl::GST_LIBCCD, false, box, kHere, ball, shifted(x, 0, 0)).min_distance, x < 1.5 ? -1 : 0.1,
+                1e-6);
   }
 }
 
