@@ -4,6 +4,7 @@
 #include "tricover/distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -92,8 +93,22 @@ std::string wrong(Random& random, Tally& tally, Case& c) {
              : problem + ", cold " + hex(cold.distance) + ", truth above " + hex(exact::distanceBelow(squared));
 }
 
+/// So flat that nothing but exact arithmetic tells the edges' distances apart.
+Case squeezedFlat(Random& random) {
+  const double flat = std::ldexp(1, -random.integer(47, 51)), angle = random.real(0, 3);
+  const double gap = flat * (random.oneIn(4) ? random.real(0, 1) : random.real(2, 2.01));
+  const auto polygon = [&] {
+    Ring ring;
+    for (int i = 0; i < 24; ++i) ring.emplace_back(random.real(-1, 1), flat * random.real(-1, 1));
+    return Polygon({ring});
+  };
+  const Polygon a = polygon(), b = polygon();
+  return {a, turnedAndMoved(angle, 0, 0), b, turnedAndMoved(angle, -std::sin(angle) * gap, std::cos(angle) * gap)};
+}
+
 Laws distanceLaws() {
   Laws laws;
+  add(laws, {family("squeezed_flat", squeezedFlat)}, 100, wrong, {{"hits", 0.05, 0.5}});
   add(laws, families(), 1000, wrong, {{"hits", 0.1, 0.85}});
   add(laws, anyPairs(), 1000, wrong);
   return laws;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/scene.h"
 #include "tricover/segment.h"
@@ -18,9 +19,6 @@ namespace {
 
 const Pose kHere = Pose::Identity();
 
-Ring rectangle(double x_low, double y_low, double x_high, double y_high) {
-  return {{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}};
-}
 bool covers(const Polygon& area, const Polygon& part, double margin = 0) {
   return tricover::covers(area, kHere, part, kHere, {margin});
 }
@@ -37,80 +35,11 @@ TEST(Covers, PlugsHolesAndItself) {
   EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(0, 0, 9, 9)})));
   EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(1, 1, 8, 8)}), 1));
   EXPECT_FALSE(together({sheet, Polygon({rectangle(3, 3, 6, 6 - 1e-15)})}, Polygon({rectangle(0, 0, 9, 9)})));
+  EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
   // The part holds a ring of the area, a hole that meets none of the part's edges.
   EXPECT_FALSE(covers(sheet, Polygon({rectangle(1, 1, 8, 8)})));
   EXPECT_TRUE(covers(sheet, Polygon({rectangle(1, 1, 8, 8), rectangle(2, 2, 7, 7)})));
   EXPECT_TRUE(covers(sheet, Polygon({rectangle(0, 0, 3, 3), rectangle(6, 3, 9, 9)})));
-}
-
-TEST(Covers, RingRoadHasAHole) {
-  // Four lanes around a yard: all of them are needed, and the yard is open.
-  const std::vector<Polygon> lanes{Polygon({rectangle(0, 0, 9, 3)}), Polygon({rectangle(6, 0, 9, 9)}),
-                                   Polygon({rectangle(0, 6, 9, 9)}), Polygon({rectangle(0, 0, 3, 9)})};
-  EXPECT_TRUE(together(lanes, Polygon({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)})));
-  EXPECT_FALSE(together(lanes, Polygon({rectangle(1, 1, 8, 8)})));
-  EXPECT_TRUE(together(lanes, Polygon({{{1, 1}, {3, 1}, {1, 3}}}), 1));
-  EXPECT_FALSE(together(lanes, Polygon({{{1, 1}, {3, 1}, {1, 3}}}), 1.0000001));
-}
-
-TEST(Covers, PartsWithoutAnInterior) {
-  const Polygon left({rectangle(0, 0, 4, 4)}), right({rectangle(4, 0, 8, 4)});
-  EXPECT_TRUE(covers(left, point({4, 4})));
-  EXPECT_FALSE(covers(left, point({4, 4.5})));
-  EXPECT_TRUE(covers(left, point({2, 2}), 2));
-  EXPECT_FALSE(covers(left, point({2, 2}), 2.5));
-  EXPECT_TRUE(covers(left, segment({0, 4}, {4, 4})));
-  EXPECT_FALSE(covers(left, segment({1, 1}, {5, 1})));
-  EXPECT_TRUE(together({left, right}, segment({1, 1}, {5, 1})));
-  EXPECT_TRUE(together({left, right}, segment({4, 1}, {4, 3}), 1));
-  // A spike out of the area, and what covers it without an interior.
-  const Polygon spiked({{{1, 1}, {3, 1}, {3, 3}, {3, 6}, {3, 3}, {1, 3}}});
-  EXPECT_FALSE(covers(left, spiked));
-  EXPECT_TRUE(together({left, segment({3, 2}, {3, 7})}, spiked));
-  EXPECT_TRUE(together({left, segment({3, 2}, {3, 5}), segment({3, 7}, {3, 5})}, spiked));
-  EXPECT_FALSE(together({left, segment({3, 2}, {3, 5}), segment({3, 7}, {3, 5.5})}, spiked));
-  EXPECT_FALSE(together({left, segment({3, 2}, {3, 7})}, spiked, 0.5));
-}
-
-TEST(Covers, AreasWithoutAnInterior) {
-  EXPECT_TRUE(covers(point({1, 2}), point({1, 2})));
-  EXPECT_FALSE(covers(point({1, 2}), point({1, 3})));
-  EXPECT_TRUE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {3, 3})));
-  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {5, 5})));
-  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), segment({1, 1}, {3, 3}), 0.1));
-  EXPECT_FALSE(covers(segment({0, 0}, {4, 4}), Polygon({{{0, 0}, {4, 4}, {4, 5}}})));
-  EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
-}
-
-/// A ring of one point holds an equal one, but nothing with a margin.
-TEST(Covers, PointsUponPoints) {
-  const Ring p(3, {5, 5});
-  const Polygon beside({rectangle(0, 0, 4, 4), p}), within({rectangle(0, 0, 9, 9), p});
-  const Polygon on_edge({rectangle(0, 0, 5, 9), p}), right({rectangle(5, 0, 9, 9)}), part({rectangle(1, 1, 2, 2), p});
-  EXPECT_TRUE(covers(point({5, 5}), point({5, 5})));
-  EXPECT_FALSE(covers(point({5, 5}), point({5, 5}), 1e-9));
-  EXPECT_TRUE(covers(beside.complement(), point({5, 5}), 1.25));
-  EXPECT_FALSE(covers(beside.complement(), point({5, 5}), 1.5));
-  EXPECT_TRUE(covers(beside, part));
-  EXPECT_FALSE(covers(beside, part, 1e-9));
-  EXPECT_TRUE(covers(beside, Polygon({rectangle(1, 1, 2, 2)}), 1));
-  EXPECT_TRUE(covers(within, part, 1));
-  EXPECT_TRUE(together({beside, within}, part, 1));
-  EXPECT_FALSE(covers(on_edge, part, 1e-9));
-  EXPECT_TRUE(together({on_edge, right}, part, 1));
-  EXPECT_TRUE(together({point({5, 5}), on_edge, right}, point({5, 5}), 4));
-}
-
-TEST(Covers, Complements) {
-  const Polygon pillar({rectangle(0, 0, 2, 2)}), robot({rectangle(2, 0, 3, 1)}), inside({rectangle(0, 0, 1, 1)});
-  EXPECT_TRUE(covers(pillar.complement(), robot));
-  EXPECT_FALSE(covers(pillar.complement(), robot, 0.1));
-  EXPECT_FALSE(covers(pillar.complement(), inside));
-  EXPECT_TRUE(covers(inside.complement(), pillar.complement()));
-  EXPECT_FALSE(covers(pillar.complement(), inside.complement()));
-  EXPECT_FALSE(covers(pillar, pillar.complement()));
-  EXPECT_FALSE(together({pillar, inside}, robot.complement()));
-  EXPECT_TRUE(together({pillar, pillar.complement()}, robot.complement(), 5));
 }
 
 TEST(Covers, LargeAndSmall) {
@@ -179,16 +108,6 @@ TEST(Covers, BordersThatEndAtCrossings) {
 /// A plain answer was hidden by an edge that ends at a crossing as far away as the margin.
 TEST(Covers, VerticesThatAreBoundary) {
   EXPECT_FALSE(covers(Polygon({{{1, 1}, {0, -3}, {0, 2}, {1, 0}, {-1, 2}}}), point({0, 2}), 1));
-}
-
-TEST(Covers, RingsThatOverlapAreOneArea) {
-  const Polygon cross({rectangle(0, 2, 6, 4), rectangle(2, 0, 4, 6)}, FillRule::NonZero);
-  EXPECT_TRUE(covers(cross, Polygon({rectangle(1, 2, 5, 4)})));
-  EXPECT_TRUE(covers(cross, Polygon({rectangle(2.5, 2.5, 3.5, 3.5)}), 0.5));
-  // The nearest boundaries are the corners (2, 2) and others, where edges cross.
-  EXPECT_TRUE(covers(cross, point({3, 3}), 1.4142));
-  EXPECT_FALSE(covers(cross, point({3, 3}), 1.4143));
-  EXPECT_FALSE(covers(Polygon({rectangle(0, 2, 6, 4), rectangle(2, 0, 4, 6)}), Polygon({rectangle(1, 2, 5, 4)})));
 }
 
 /// They reach farther than the power of two that is their unit.

@@ -11,10 +11,8 @@
 #include <vector>
 
 #include "depth_laws.h"
-#include "random.h"
 #include "refusal.h"
 #include "shapes.h"
-#include "test_scale.h"
 #include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
@@ -45,22 +43,11 @@ double excessOf(const Polygon& part, const Pose& pose, const Polygon& area) {
   return found.distance;
 }
 
-/// t into both walls of a corner of some angle: t / sin(angle / 2).
+/// t into both walls of a corner: t times the root of 2.
 TEST(Depth, OfACrateInACorner) {
   const Polygon room = box(10, 10).complement(), crate = box(2, 2);
   for (const double t : {1e-12, 1e-9, 1e-6, 0.01, 0.5})
     EXPECT_NEAR(depthOf(room, crate, at(-4 - t, -4 - t)), std::sqrt(2) * t, 2e-14) << t;
-  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}});
-  EXPECT_NEAR(depthOf(corner, crate, at(1.99, 2)), 0.01, 1e-14);
-  EXPECT_NEAR(depthOf(corner, crate, at(1.99, 1.99)), std::sqrt(2) * 0.01, 1e-14);
-  // A wedge of the same angle pushed into the apex of a slot.
-  for (const double half : {0.1, 0.3, 0.7, 1.2}) {
-    const double far = 20, x = far * std::cos(half), y = far * std::sin(half);
-    const Polygon slot(Ring{{0, 0}, {x, y}, {-30, 30}, {-30, -30}, {x, -y}}),
-        wedge(Ring{{0, 0}, {x / 4, -y / 4}, {x / 4, y / 4}});
-    const double t = 1e-3;
-    EXPECT_NEAR(depthOf(slot, wedge, at(-t / std::sin(half), 0)), t / std::sin(half), 1e-13) << half;
-  }
 }
 
 TEST(Depth, NamesPointsEdgesAndANormal) {
@@ -72,92 +59,12 @@ TEST(Depth, NamesPointsEdgesAndANormal) {
   EXPECT_NEAR((of_crate.normal - Vec2(1, 1).normalized()).norm(), 0, 1e-12);
   EXPECT_TRUE(of_crate.edge_a == 2 || of_crate.edge_a == 3) << of_crate.edge_a;
   EXPECT_TRUE(of_crate.edge_b == 3 || of_crate.edge_b == 0) << of_crate.edge_b;
-  EXPECT_LE(of_crate.upper_bound, of_crate.depth + 1e-14);
   const Depth apart = depth(crate, kHere, crate, at(2, 0.5));
-  EXPECT_EQ(apart.depth, 0);
-  EXPECT_EQ(apart.edge_a, -1);
-  EXPECT_EQ(apart.edge_b, -1);
+  EXPECT_TRUE(apart.depth == 0 && apart.edge_a == -1 && apart.edge_b == -1);
   // A hole's middle, where another region fills the hole.
   const Depth in_hole = depth(box(20, 20), kHere, Polygon({regular(6, 8), regular(6, 2)}).complement(), kHere);
-  EXPECT_FALSE(in_hole.is_point_of_a);
-  EXPECT_EQ(in_hole.edge_b, -1);
+  EXPECT_TRUE(!in_hole.is_point_of_a && in_hole.edge_b == -1);
   EXPECT_NEAR(in_hole.depth, 10, 2e-14);
-  const Depth filled = depth(box(1, 1), kHere, Polygon({regular(64, 9)}), kHere);
-  EXPECT_EQ(filled.is_point_of_a, true);
-  EXPECT_EQ(filled.edge_a, -1);
-  EXPECT_EQ((filled.point_a - Vec2(0, 0)).norm() <= 1e-13, true);
-}
-
-TEST(Depth, OfThinBodies) {
-  for (const double w : {0.1, 1e-3, 1e-9, 1.0}) {
-    const Polygon bar = box(4, w);
-    EXPECT_NEAR(depthOf(bar, bar, at(0, 0, M_PI / 2)), w / 2, 1e-15 + 1e-13 * w) << w;
-    EXPECT_NEAR(depthOf(bar, bar, at(0.3, 0.2, 1)), w / 2, 1e-14) << w;
-    // Never deeper than half of the thinner one's width where both are thin; a thin wall through a robot is as deep as
-    // the robot.
-    const Polygon robot({regular(8, 1)}), wall = box(20, w / 10);
-    EXPECT_NEAR(depthOf(robot, wall, at(0, 0)), std::cos(M_PI / 8), 1e-13);
-  }
-  // A crate's corner through a thin wall is as deep as the wall is in the crate.
-  const Polygon wall = box(0.02, 10), crate = box(2, 2);
-  EXPECT_NEAR(depthOf(wall, crate, at(-1.3, 0, M_PI / 4)), (std::sqrt(2) - 1.3 + 0.01) / std::sqrt(2), 1e-13);
-}
-
-TEST(Depth, OfCombsThatInterlock) {
-  const double mm = 1e-3;
-  // Teeth from 0 to 0.5 + mm, every 1; in the gaps, teeth from 0.5 to 1 + mm.
-  std::vector<Ring> up, down;
-  for (int i = 0; i < 4; ++i) {
-    up.push_back(rectangle(i, 0, i + 0.5 + mm, 2));
-    down.push_back(rectangle(i + 0.5, 0.5, i + 1 + mm, 3));
-  }
-  EXPECT_NEAR(depthOf(Polygon(up), Polygon(down), kHere), mm, 1e-14);
-}
-
-TEST(Depth, OfSegmentsAndPoints) {
-  EXPECT_NEAR(depthOf(box(4, 2), segment({0, 0.5}, {3, -1.5}), kHere), 1, 1e-14);
-  EXPECT_NEAR(depthOf(box(4, 2), segment({-9, 0.25}, {9, 0.25}), kHere), 0.75, 1e-14);
-  EXPECT_NEAR(depthOf(box(4, 2), point({1, 0.5}), kHere), 0.5, 1e-14);
-  EXPECT_EQ(depthOf(box(4, 2), point({2, 0.5}), kHere), 0);
-  EXPECT_EQ(depthOf(box(4, 2), segment({-2, 1}, {2, 1}), kHere), 0);
-  EXPECT_EQ(depthOf(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere), 0);
-  EXPECT_EQ(depthOf(point({0, 0}), point({0, 0}), kHere), 0);
-  // A spike inside counts as a segment does.
-  EXPECT_NEAR(depthOf(box(4, 4), Polygon({{{2, -1}, {4, -1}, {4, 1}, {2, 1}, {2, 0}, {1, 0}, {2, 0}}}), kHere), 1,
-              1e-14);
-}
-
-/// Edges that the region is on both sides of don't count.
-TEST(Depth, OverlooksSlitsAndEdgesUsedTwice) {
-  const Polygon slit({{{-2, -2}, {0, -2}, {0, 1}, {0, -2}, {2, -2}, {2, 2}, {-2, 2}}});
-  EXPECT_NEAR(depthOf(slit, point({0, 0}), kHere), 2, 1e-14);
-  EXPECT_NEAR(depthOf(slit, box(1, 1), kHere), 2, 1e-14);
-  const Polygon halves({rectangle(-2, -2, 0, 2), rectangle(0, -2, 2, 2)});
-  EXPECT_NEAR(depthOf(halves, box(1, 1), kHere), 2, 1e-14);
-  // Under non-zero the borders end at crossings, and what is covered twice is inside.
-  const Polygon cross({rectangle(-3, -1, 3, 1), rectangle(-1, -3, 1, 3)}, FillRule::NonZero);
-  EXPECT_NEAR(depthOf(cross, point({0, 0}), kHere), std::sqrt(2), 1e-14);
-  const Polygon hollow({rectangle(-3, -1, 3, 1), rectangle(-1, -3, 1, 3)}, FillRule::EvenOdd);
-  EXPECT_EQ(depthOf(hollow, point({0, 0}), kHere), 0);
-  EXPECT_NEAR(depthOf(hollow, point({2, 0.5}), kHere), 0.5, 1e-14);
-}
-
-TEST(Depth, OfComplements) {
-  const Polygon lot({rectangle(-10, -10, 10, 10), rectangle(-1, -1, 1, 1)});  // with a post of 2
-  const Polygon outside = lot.complement(), car = box(2, 2);
-  EXPECT_EQ(depthOf(outside, car, at(5, 5)), 0);
-  EXPECT_EQ(depthOf(outside, car, at(9, 5)), 0);
-  EXPECT_NEAR(depthOf(outside, car, at(9.25, 5)), 0.25, 1e-14);
-  EXPECT_NEAR(depthOf(outside, car, at(2 - 0.125, 0)), 0.125, 1e-14);
-  EXPECT_NEAR(depthOf(outside, car, at(40, 0)), 31, 4e-14);
-  EXPECT_EQ(depthOf(outside, outside, kHere), kInfinity);
-  EXPECT_EQ(
-      depthOf(Polygon({rectangle(0, 0, 1, 1)}).complement(), Polygon({rectangle(0, 2, 1, 3)}).complement(), kHere),
-      kInfinity);
-  // A dock that fits exactly.
-  const Polygon dock({{{0, -.5}, {.8, -.5}, {.8, .5}, {0, .5}, {0, .25}, {.6, .25}, {.6, -.25}, {0, -.25}}});
-  EXPECT_EQ(depthOf(dock, box(.6, .5), at(.3, 0)), 0);
-  EXPECT_NEAR(depthOf(dock, box(.6, .5), at(.301, 0)), 0.001, 1e-15);
 }
 
 /// n edges at once are nearest, or n pieces of two lines.
@@ -168,7 +75,7 @@ TEST(Depth, OfWhatManyEdgesTieIn) {
     EXPECT_NEAR(excessOf(box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n), 1e-14)
         << n;
   }
-  Ring corridor, jagged;
+  Ring corridor;
   for (int i = 0; i <= 500; ++i) corridor.emplace_back(i, 0);
   for (int i = 500; i >= 0; --i) corridor.emplace_back(i, 1);
   const Polygon hall(corridor);
@@ -176,17 +83,6 @@ TEST(Depth, OfWhatManyEdgesTieIn) {
   EXPECT_NEAR(depthOf(hall, box(100, 0.25), at(250, 0.5)), 0.5, 1e-13);
   EXPECT_NEAR(depthOf(hall.complement(), box(100, 1.5), at(250, 0.5)), 0.25, 1e-13);
   EXPECT_NEAR(depthOf(hall, hall, kHere), 0.5, 1e-13);
-}
-
-/// Flat maxima: an edge along a parallel one, all of whose points are equally deep.
-TEST(Depth, OfParallelPlateaus) {
-  const Polygon floor = box(2000, 1);
-  for (const double deep : {1e-9, 1e-3, 0.1})
-    for (const double turn : {0.0, 0.3, 1.5}) {
-      const Pose frame = at(7, -3, turn);
-      EXPECT_NEAR(depthOf(floor, frame, box(1000, 1), frame * at(0, 1 - deep)), deep, 1e-12) << deep << " " << turn;
-      EXPECT_NEAR(depthOf(floor, frame, segment({-300, 0}, {300, 0}), frame * at(0, 0.5 - deep)), deep, 1e-12);
-    }
 }
 
 TEST(Depth, OfAnySize) {
@@ -200,75 +96,33 @@ TEST(Depth, OfAnySize) {
   }
 }
 
-/// As they are written: what a pose stretches is longer.
-TEST(Depth, OfPosesThatMirrorOrAreHardlyRigid) {
-  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}}), crate = box(2, 2);
-  const Pose flipped = mirrored(kHere);
-  EXPECT_NEAR(depthOf(corner, flipped, crate, flipped * at(1.99, 1.99)), std::sqrt(2) * 0.01, 1e-14);
-  for (const double off : {1e-15, 1e-9, 4e-5}) {
-    Pose stretched = at(3.5, 0);
-    stretched.linear() *= 1 + off;
-    EXPECT_NEAR(depthOf(box(4, 4), box(4, 4), stretched), 0.5 + 2 * off, 1e-14) << off;
-    stretched.translation().setZero();
-    EXPECT_NEAR(depthOf(box(4, 4), box(4, 4), stretched), 2 * (1 + off), 1e-14) << off;
-  }
-}
-
-/// By no more than they move, but a hairline slit changes it.
-TEST(Depth, ChangesByNoMoreThanBodiesMove) {
-  Random random(8);
-  for (int i = 0; i < scaledCount(300); ++i) {
-    const Polygon a(star(random, 9, 0.4, 1)), b(star(random, 9, 0.4, 1));
-    const Pose pose_a = randomPose(random, 0.5), pose_b = randomPose(random, 0.5);
-    Pose moved = pose_b;
-    moved.translation() += std::pow(10, random.real(-9, 0)) * direction(random.real(0, 6.3));
-    const double by = (moved.translation() - pose_b.translation()).norm();
-    EXPECT_LE(std::abs(depth(a, pose_a, b, pose_b).depth - depth(a, pose_a, b, moved).depth), by + 1e-14) << i;
-  }
-  const Polygon hairline({{{-2, -2}, {-1e-12, -2}, {0, 1}, {1e-12, -2}, {2, -2}, {2, 2}, {-2, 2}}});
-  EXPECT_LE(depthOf(hairline, point({0, 0}), kHere), 1e-12);
-}
-
 TEST(Excess, OfRegionsWithHolesAndWithout) {
-  const Polygon area = box(10, 10);
+  const Polygon area = box(10, 10), holed({rectangle(-5, -5, 5, 5), rectangle(-2, -2, 2, 2)});
   EXPECT_EQ(excessOf(box(2, 2), at(4, 4), area), 0);
-  EXPECT_NEAR(excessOf(box(2, 2), at(4.5, 0), area), 0.5, 1e-14);
   EXPECT_NEAR(excessOf(box(2, 2), at(4.5, 4.5), area), std::sqrt(0.5), 1e-14);
-  EXPECT_NEAR(excessOf(point({8, 9}), kHere, area), 5, 1e-14);
-  EXPECT_NEAR(excessOf(segment({0, 0}, {8, 0}), kHere, area), 3, 1e-14);
   // The middle of a hole.
-  const Polygon holed({rectangle(-5, -5, 5, 5), rectangle(-2, -2, 2, 2)});
   const Excess in_hole = excess(area, kHere, holed, kHere);
   EXPECT_NEAR(in_hole.distance, 2, 1e-14);
   EXPECT_EQ(in_hole.edge, -1);
   EXPECT_NEAR(in_hole.point.norm(), 0, 1e-13);
-  EXPECT_NEAR(excessOf(area, kHere, holed), 2, 1e-14);
-  // What has no area is far from hardly more than itself.
-  EXPECT_NEAR(excessOf(area, kHere, point({0, 0})), std::sqrt(50), 1e-14);
-  EXPECT_NEAR(excessOf(area, kHere, segment({-5, 0}, {5, 0})), 5, 1e-14);
-  EXPECT_EQ(excessOf(segment({-1, 0}, {1, 0}), kHere, segment({-5, 0}, {5, 0})), 0);
   // Unbounded.
   EXPECT_EQ(excessOf(area.complement(), kHere, area), kInfinity);
-  EXPECT_EQ(excessOf(area.complement(), kHere, box(4, 4).complement()), 0);
   EXPECT_NEAR(excessOf(box(4, 4).complement(), kHere, area.complement()), 3, 1e-14);
-  EXPECT_NEAR(excessOf(area, kHere, box(4, 4).complement()), 2, 1e-14);
+  EXPECT_EQ(depthOf(area.complement(), holed.complement(), kHere), kInfinity);
 }
 
 /// GEOS gives 910/19 for the lines, and for their vertices alone sqrt(500), which is right of the regions.
 TEST(Excess, IsKnownInClosedForm) {
   const Polygon a({{{0, 0}, {100, 0}, {10, 100}}}), b({{{0, 100}, {0, 10}, {80, 10}}});
   const Polygon line_a({{{0, 0}, {100, 0}, {10, 100}, {100, 0}}}), line_b({{{0, 100}, {0, 10}, {80, 10}, {0, 10}}});
-  const Excess found = excess(line_a, kHere, line_b, kHere);
-  EXPECT_NEAR(found.distance, 910 / 19.0, 2e-13);
-  EXPECT_NE(found.edge, -1);
   EXPECT_NEAR(excessOf(line_a, kHere, line_b), 910 / 19.0, 2e-13);
+  EXPECT_NE(excess(line_a, kHere, line_b, kHere).edge, -1);
   EXPECT_NEAR(excessOf(a, kHere, b), std::sqrt(500), 2e-13);
   EXPECT_NEAR(hausdorffDistance(line_a, kHere, line_b, kHere), 910 / 19.0, 2e-13);
 }
 
 TEST(HausdorffDistance, IsTheLargerExcess) {
   EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2), kHere), 0);
-  EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(2, 2), at(0.5, 0)), 0.5, 1e-14);
   EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
   EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2).complement(), kHere), kInfinity);
   EXPECT_NEAR(hausdorffDistance(box(2, 2).complement(), kHere, box(6, 4).complement(), kHere), 2, 1e-14);
@@ -277,22 +131,9 @@ TEST(HausdorffDistance, IsTheLargerExcess) {
 /// One edge passes another one's end within rounding: where they cross is rounded once on either, and is one corner of
 /// the border all the same.
 TEST(Depth, BesideACrossingWithinRoundingOfAVertex) {
-  const Polygon crossed({{{-0x1.be6abf58e9523p+2, 0x1.be6abf58e9523p+0},
-                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+0},
-                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+0},
-                          {0x1.be6abf58e9523p+1, 0x1.be6abf58e9523p+0},
-                          {0x1.4ed00f82aefdap+2, 0x1.be6abf58e9523p-1},
-                          {0x1.be6abf58e9523p+2, 0x0p+0},
-                          {0x1.be6abf58e9523p+2, 0x0p+0},
-                          {0x1.869d676dcc27fp+2, -0x1.4ed00f82aefdap+1},
-                          {0x1.4ed00f82aefdap+2, -0x1.4ed00f82aefdap+2},
-                          {0x1.4ed00f82aefdap+2, -0x1.4ed00f82aefdap+2},
-                          {0x1.be6abf58e9523p+0, -0x1.4ed00f82aefdap+1},
-                          {-0x1.be6abf58e9523p+0, 0x0p+0},
-                          {-0x1.be6abf58e9523p+0, 0x0p+0},
-                          {0x1.be6abf58e9523p-1, -0x1.be6abf58e9523p+0},
-                          {0x1.be6abf58e9523p+1, -0x1.be6abf58e9523p+1}}},
-                        FillRule::NonZero);
+  const Ring grid = {{-8, 2}, {4, -2}, {4, -2}, {4, 2},  {6, 1},  {8, 0},  {8, 0}, {7, -3},
+                     {6, -6}, {6, -6}, {2, -3}, {-2, 0}, {-2, 0}, {1, -2}, {4, -4}};
+  const Polygon crossed({scaled(grid, 0x1.be6abf58e9523p-1)}, FillRule::NonZero);
   const Vec2 begin = crossed.edgeStart(14), way = crossed.edgeEnd(14) - begin,
              left = Vec2(-way.y(), way.x()).normalized();
   for (const double share : {0.3, 0.6, 0.9})
@@ -306,24 +147,15 @@ TEST(Depth, BesideACrossingWithinRoundingOfAVertex) {
 
 /// Two vertices that a pose makes one don't shift the names of the edges behind them.
 TEST(Excess, NamesEdgesBehindVerticesThatRoundingMakesOne) {
-  const Polygon a({{{-0x1.8p-1, 0x1.8p-1},
-                    {-0x1p-1, 0x0p+0},
-                    {0x1.8p-1, 0x0p+0},
-                    {-0x1p-1, -0x1.8p-1},
-                    {0x1p-1, 0x0p+0},
-                    {0x1p-1, 0x0p+0}}},
-                  FillRule::NonZero);
-  const Polygon b({{{0x1.49e9b0e7c0d3bp-1, 0x1.7a9b279906139p-5},
-                    {0x1.e0144e3de604bp-3, 0x1.bac18f61650c3p-4},
-                    {0x1.e19d1222656ccp-5, 0x1.d3e69bbf8c601p-4},
-                    {0x1.e19d1222656cbp-5, 0x1.d3e69bbf8c601p-4},
-                    {-0x1.c2f61fb31d9a8p-2, 0x1.6e5dc290e560dp-4},
-                    {-0x1.6874b25a7e9e2p-1, -0x1.05f17c183580ep-9},
-                    {-0x1.006ae66ff1725p-1, -0x1.4a0d7169887f4p-4},
-                    {-0x1.5738ab981eb8dp-2, -0x1.9cedff68a0714p-4},
-                    {0x1.cc7695bd61feap-2, -0x1.6951bad9a215fp-4},
-                    {0x1.37f1d94130419p-1, -0x1.d6bdc9627a8bcp-5}}},
-                  FillRule::NonZero);
+  const Ring ring_a = {{-0x1.8p-1, 0x1.8p-1}, {-0x1p-1, 0x0p+0}, {0x1.8p-1, 0x0p+0},
+                       {-0x1p-1, -0x1.8p-1},  {0x1p-1, 0x0p+0},  {0x1p-1, 0x0p+0}};
+  const Polygon a({ring_a}, FillRule::NonZero);
+  const Ring ring_b = {{0x1.49e9b0e7c0d3bp-1, 0x1.7a9b279906139p-5},   {0x1.e0144e3de604bp-3, 0x1.bac18f61650c3p-4},
+                       {0x1.e19d1222656ccp-5, 0x1.d3e69bbf8c601p-4},   {0x1.e19d1222656cbp-5, 0x1.d3e69bbf8c601p-4},
+                       {-0x1.c2f61fb31d9a8p-2, 0x1.6e5dc290e560dp-4},  {-0x1.6874b25a7e9e2p-1, -0x1.05f17c183580ep-9},
+                       {-0x1.006ae66ff1725p-1, -0x1.4a0d7169887f4p-4}, {-0x1.5738ab981eb8dp-2, -0x1.9cedff68a0714p-4},
+                       {0x1.cc7695bd61feap-2, -0x1.6951bad9a215fp-4},  {0x1.37f1d94130419p-1, -0x1.d6bdc9627a8bcp-5}};
+  const Polygon b({ring_b}, FillRule::NonZero);
   Pose pose_b = kHere;
   pose_b.matrix().topRows<2>() << 0x1.fe5814336f1ap-4, -0x1.fc02a233e1092p-1, -0x1.e47ec22d8f817p-3,
       -0x1.fc02a233e1092p-1, -0x1.fe5814336f1ap-4, 0x1.08fdfdeb0e173p-1;
@@ -336,37 +168,29 @@ TEST(Excess, NamesEdgesBehindVerticesThatRoundingMakesOne) {
 /// A body that is much thinner than it is deep, along a wall: cells are as long as it is, and a border leads through
 /// each.
 TEST(Depth, OfAThinBodyAlongAWallEndsWithinTheBudget) {
-  const Polygon a({{{0x1.b40e69b241ef4p-1, 0x1.9b32722f44014p-2},
-                    {0x1.2527861a9456dp-2, 0x1.9b3d7ad5f5152p-2},
-                    {-0x1.87e56221fa56p-5, 0x1.9b34d2624256fp-2},
-                    {0x1.df1fcc29a5b27p-3, 0x1.9b1ad5df66299p-2},
-                    {0x1.496d08bc6d55ep-1, 0x1.9b1c8af7eaa2cp-2}},
-                   {{-0x1.91fd7964e28e6p-3, -0x1.14e87a490d7e2p-2},
-                    {-0x1.8a68456993299p-2, -0x1.61655e5cae153p-2},
-                    {-0x1.90a574435edeep-1, -0x1.f281b3a1b0c28p-3},
-                    {-0x1.7dfc183ed73eep-1, 0x1.213965d6c478dp-1},
-                    {-0x1.4eb08f058acb7p-1, 0x1.39c6641ceffd6p-1},
-                    {-0x1.2c913b7f0601p-5, 0x1.9525b97e770bfp-2}},
-                   {{-0x1.1ae0528e9e17fp-1, -0x1.aa6899a9e13p-9},
-                    {-0x1.d3cb5f067a4acp-1, -0x1.8606cb439f972p-3},
-                    {-0x1.fed5f438f1afbp-2, -0x1.0075df52d7448p+0}},
-                   {{-0x1.32c585920600cp-3, 0x1.6812356e0b458p-2},
-                    {0x1.b34e9e9b7e7fdp-1, 0x1.6812356e0b458p-2},
-                    {0x1.b34e9e9b7e7fdp-1, -0x1.4bf6e548fa5d4p-1},
-                    {-0x1.32c585920600cp-3, -0x1.4bf6e548fa5d4p-1}}},
-                  FillRule::NonZero);
-  const Polygon b({{{0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},
-                    {0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},
-                    {0x1.5922110a1d68bp-2, 0x1.59419df1e260ep-19},
-                    {-0x1.2efbcda91cc42p-7, 0x1.110bc7481d8f4p-18},
-                    {-0x1.16f688bbb9528p-1, -0x1.184b9109f87c6p-22},
-                    {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},
-                    {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},
-                    {0x1.adc2f8545c315p-3, -0x1.cfb84de0e6a86p-19},
-                    {0x1.21bcb1eab356fp-2, -0x1.09c53c75cff98p-19},
-                    {0x1.6e560fa8f3812p-2, -0x1.f9b2d8224836fp-22},
-                    {0x1.976a310564975p-2, 0x1.6b53731ceedf8p-22}}},
-                  FillRule::NonZero);
+  const Ring wedge_of_a = {{0x1.b40e69b241ef4p-1, 0x1.9b32722f44014p-2},
+                           {0x1.2527861a9456dp-2, 0x1.9b3d7ad5f5152p-2},
+                           {-0x1.87e56221fa56p-5, 0x1.9b34d2624256fp-2},
+                           {0x1.df1fcc29a5b27p-3, 0x1.9b1ad5df66299p-2},
+                           {0x1.496d08bc6d55ep-1, 0x1.9b1c8af7eaa2cp-2}};
+  const Ring hexagon = {{-0x1.91fd7964e28e6p-3, -0x1.14e87a490d7e2p-2}, {-0x1.8a68456993299p-2, -0x1.61655e5cae153p-2},
+                        {-0x1.90a574435edeep-1, -0x1.f281b3a1b0c28p-3}, {-0x1.7dfc183ed73eep-1, 0x1.213965d6c478dp-1},
+                        {-0x1.4eb08f058acb7p-1, 0x1.39c6641ceffd6p-1},  {-0x1.2c913b7f0601p-5, 0x1.9525b97e770bfp-2}};
+  const Ring triangle = {{-0x1.1ae0528e9e17fp-1, -0x1.aa6899a9e13p-9},
+                         {-0x1.d3cb5f067a4acp-1, -0x1.8606cb439f972p-3},
+                         {-0x1.fed5f438f1afbp-2, -0x1.0075df52d7448p+0}};
+  const Ring block = {{-0x1.32c585920600cp-3, 0x1.6812356e0b458p-2},
+                      {0x1.b34e9e9b7e7fdp-1, 0x1.6812356e0b458p-2},
+                      {0x1.b34e9e9b7e7fdp-1, -0x1.4bf6e548fa5d4p-1},
+                      {-0x1.32c585920600cp-3, -0x1.4bf6e548fa5d4p-1}};
+  const Polygon a({wedge_of_a, hexagon, triangle, block}, FillRule::NonZero);
+  const Ring needle = {{0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},   {0x1.e9d084b750efep-2, 0x1.075021e5bd169p-19},
+                       {0x1.5922110a1d68bp-2, 0x1.59419df1e260ep-19},   {-0x1.2efbcda91cc42p-7, 0x1.110bc7481d8f4p-18},
+                       {-0x1.16f688bbb9528p-1, -0x1.184b9109f87c6p-22}, {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},
+                       {0x1.89e1539696115p-3, -0x1.ff29884224ff1p-19},  {0x1.adc2f8545c315p-3, -0x1.cfb84de0e6a86p-19},
+                       {0x1.21bcb1eab356fp-2, -0x1.09c53c75cff98p-19},  {0x1.6e560fa8f3812p-2, -0x1.f9b2d8224836fp-22},
+                       {0x1.976a310564975p-2, 0x1.6b53731ceedf8p-22}};
+  const Polygon b({needle}, FillRule::NonZero);
   const double time = 0.37651214374636885;
   const Vec2 there(0x1.e3069a0077c11p+0 - time * 0x1.bd8f7689f9624p+1,
                    -0x1.4ea968c708a22p+1 + time * 0x1.4e5c09f4b40ep+2);

@@ -97,18 +97,6 @@ TEST(Distance, FarFromTheOriginAndOverflow) {
   EXPECT_EQ(distance(huge, at(-1.2e308, 0), huge, at(1.2e308, 0)).distance, 1.2e308 + (1.2e308 - 1e308));
 }
 
-TEST(Distance, InsideAHole) {
-  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), small = square(1);
-  const DistanceResult r = distance(frame, at(0, 0), small, at(3, 4));
-  EXPECT_EQ(r.distance, 1);
-  EXPECT_EQ(r.point_a.x(), 2);
-  EXPECT_EQ(r.point_b.x(), 3);
-  EXPECT_GE(r.edge_a, 4);
-  EXPECT_EQ(distance(small, at(3, 4), frame, at(0, 0)).point_a, r.point_b);
-  const Polygon filled({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}, FillRule::NonZero);
-  EXPECT_EQ(distance(filled, at(0, 0), small, at(3, 4)).distance, 0);
-}
-
 TEST(Distance, OverlapAndContainmentHaveOneCommonPoint) {
   const Polygon a = square(10), b = square(1);
   const DistanceResult inside = distance(a, at(0, 0), b, at(4, 5));
@@ -126,51 +114,6 @@ TEST(Distance, OverlapAndContainmentHaveOneCommonPoint) {
   EXPECT_EQ(crossing.point_a.x(), 10);
   EXPECT_EQ(crossing.edge_a, 1);
   EXPECT_EQ(distance(a, at(0, 0), a, at(0, 0)).distance, 0);
-}
-
-TEST(Distance, LimitIsIncluded) {
-  const Polygon a = square(1);
-  LimitedOptions options;
-  options.limit = 5;
-  EXPECT_EQ(distance(a, at(0, 0), a, at(4, 5), options).distance, 5);
-  options.limit = nudged(5, -1);
-  EXPECT_FALSE(distanceWithin(a, at(0, 0), a, at(4, 5), options.limit));
-  PairCache cache;
-  for (const double limit : {1.0, 5.0, options.limit, 6.0})
-    EXPECT_EQ(distanceWithin(a, at(0, 0), a, at(4, 5), limit, cache).has_value(), limit >= 5);
-  options.limit = 0;
-  EXPECT_EQ(distance(a, at(0, 0), a, at(0.5, 0.5), options).distance, 0);
-}
-
-/// What an error allows isn't taken for a distance above the limit, nor is what the last ulps add.
-TEST(Distance, LimitMeansTheTruth) {
-  const Polygon a({{{0, 2}, {-1, 1}, {2, -2}, {-2, -3}}}), b({{{1, -2}, {0, -3}, {0, 2}}});
-  LimitedOptions options;
-  options.limit = 3.6;
-  const double truth = std::sqrt(12.5);
-  for (const double error : {0.0, 0.01, 0.02, 0.1, 1.0}) {
-    options.relative_error = error;
-    const double found = distance(a, at(0, 0), b, at(-3, 7), options).distance;
-    EXPECT_GE(found, truth * (1 - 1e-15)) << error;
-    EXPECT_LE(found, 3.6) << error;
-    options.absolute_error = 4 * error;
-    EXPECT_LE(distance(a, at(0, 0), b, at(-3, 7), options).distance, 3.6) << error;
-    options.absolute_error = 0;
-  }
-  // The true distance is the root of 12.5, which isn't a double: that is found at the double above it, not below it.
-  options.relative_error = 0.1;
-  for (int steps = -4; steps <= 4; ++steps) {
-    options.limit = nudged(truth, steps);
-    CollideOptions within;
-    within.margin = options.limit;
-    const double found = distance(a, at(0, 0), b, at(-3, 7), options).distance;
-    if (collide(a, at(0, 0), b, at(-3, 7), within)) {
-      EXPECT_LE(found, options.limit) << steps;
-    }
-    if (steps < -1) {
-      EXPECT_EQ(found, kInfinity) << steps;
-    }
-  }
 }
 
 TEST(Distance, RefusesAndNamesTheField) {
@@ -274,32 +217,6 @@ TEST(Distance, NamesEdgesWithLengthOfAClosedRing) {
   EXPECT_EQ(of_point.distance, 2);
   EXPECT_GE(of_point.edge_a, 0);
   EXPECT_LT(of_point.edge_a, 3);
-}
-
-/// So flat that nothing but exact arithmetic tells the edges' distances apart: which ones it is spared changes nothing.
-TEST(Distance, OfRingsSqueezedFlatIsThatOfTheirNearestEdges) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Random random(seed);
-    const double flat = std::ldexp(1, -47 - 2 * static_cast<int>(seed % 3));
-    const auto flatRing = [&] {
-      Ring ring;
-      for (int i = 0; i < 24; ++i) ring.emplace_back(random.real(-1, 1), flat * random.real(-1, 1));
-      return ring;
-    };
-    const Ring ring_a = flatRing(), ring_b = flatRing();
-    const double angle = random.real(0, 3), gap = flat * random.real(2, 2.01);
-    const Pose pose_a = pose(angle, 0, 0), pose_b = pose(angle, -std::sin(angle) * gap, std::cos(angle) * gap);
-    double least = kInfinity;
-    for (std::size_t i = 0; i < ring_a.size(); ++i)
-      for (std::size_t j = 0; j < ring_b.size(); ++j) {
-        const Polygon edge_a = tricover::segment(ring_a[i], ring_a[(i + 1) % ring_a.size()]);
-        const Polygon edge_b = tricover::segment(ring_b[j], ring_b[(j + 1) % ring_b.size()]);
-        least = std::min(least, distance(edge_a, pose_a, edge_b, pose_b).distance);
-      }
-    const double found = distance(Polygon({ring_a}), pose_a, Polygon({ring_b}), pose_b).distance;
-    EXPECT_NEAR(found, least, 1e-14 * least) << seed;
-    EXPECT_GT(found, 0) << seed;
-  }
 }
 
 }  // namespace

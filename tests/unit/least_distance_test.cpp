@@ -67,28 +67,14 @@ TEST(LeastDistance, OfABodyThatPasses) {
   }
 }
 
-TEST(LeastDistance, AtTheEnds) {
-  const Polygon square = box(1, 1);
-  const LeastDistance leaves = leastDistance(square, still(0, 0), square, slide(3, 0, {5, 0}));
-  EXPECT_EQ(leaves.distance, 2);
-  EXPECT_EQ(leaves.time, 0);
-  const LeastDistance comes = leastDistance(square, still(0, 0), square, slide(8, 0, {-5, 0}));
-  EXPECT_EQ(comes.distance, 2);
-  EXPECT_EQ(comes.time, 1);
-}
-
 TEST(LeastDistance, IsNothingWhereTheyMeet) {
   const Polygon square = box(1, 1);
   for (const Vec2& way : {Vec2(9, 0), Vec2(4, 0), Vec2(1, 0.75)}) {
     const LeastDistance found = leastDistance(square, still(0, 0), square, slide(-5, 0, way), within(1e-9, 3));
     EXPECT_EQ(found.distance, 0);
     EXPECT_EQ(found.lower_bound, 0);
-    const double apart = distance(square, tricover::pose(0, 0), square, slide(-5, 0, way).at(found.time)).distance;
-    EXPECT_LE(apart, 3 + 1e-12);
+    EXPECT_LE(distance(square, tricover::pose(0, 0), square, slide(-5, 0, way).at(found.time)).distance, 3 + 1e-12);
   }
-  const LeastDistance at_once = leastDistance(square, still(0, 0), square, slide(0.5, 0, {9, 0}));
-  EXPECT_EQ(at_once.distance, 0);
-  EXPECT_EQ(at_once.time, 0);
   // Found by `soak impact --seed 77 --case 776`: at the end they are nearer to each other than the error.
   EXPECT_EQ(leastDistance(square, still(0, 0), square, slide(-5, 0, {6.125, 0}), within(0.5)).distance, 0);
   // They only touch, in passing.

@@ -95,28 +95,6 @@ TEST(NegativeMargin, ComparesDepths) {
   EXPECT_TRUE(deeper(1e-6, kRoom, here, kCrate, at(1 + 8e-7, 1 - 8e-7)));
 }
 
-TEST(NegativeMargin, AgreesWithDepth) {
-  Random random(4);
-  int deep = 0;
-  const int cases = std::max(50, scaledCount(1000));
-  for (int i = 0; i < cases; ++i) {
-    const auto any = [&] { return Polygon(random.coin() ? anyConvex(random, 1, 12) : star(random, 9, 0.4, 1.2)); };
-    const Polygon a = any(), b = any();
-    const Pose pose_a = support::pose(random.real(0, 6), 0, 0),
-               pose_b = support::pose(random.real(0, 6), random.real(-1.3, 1.3), random.real(-1.3, 1.3));
-    const double depth = tricover::depth(a, pose_a, b, pose_b).upper_bound, overlap = random.real(0.01, 0.7);
-    deep += depth >= overlap;
-    EXPECT_EQ(deeper(overlap, a, pose_a, b, pose_b), depth >= overlap) << i;
-    if (depth == 0) continue;
-    // Exactly as deep as is allowed collides.
-    EXPECT_TRUE(deeper(depth, a, pose_a, b, pose_b)) << i;
-    EXPECT_FALSE(deeper(depth, a, pose_a, b, pose_b, Touching::Allowed)) << i;
-    EXPECT_FALSE(deeper(nudged(depth, 1), a, pose_a, b, pose_b)) << i;
-  }
-  EXPECT_GT(deep, cases / 5);
-  EXPECT_LT(deep, cases / 5 * 4);
-}
-
 TEST(NegativeMargin, RefusesWhatMeansNothing) {
   const Pose here = at(0, 0);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
