@@ -106,8 +106,17 @@ Case squeezedFlat(Random& random) {
   return {a, turnedAndMoved(angle, 0, 0), b, turnedAndMoved(angle, -std::sin(angle) * gap, std::cos(angle) * gap)};
 }
 
+/// Boxes' gaps are above the distance and below, both by no more than a float's rounding.
+Case roundFarApart(Random& random) {
+  const Polygon round({regular(65, 1)}), other({regular(65, 1)});
+  Pose pose_b = turnedAndMoved(random.real(0, 6), 0, 0);
+  pose_b.translation() = std::pow(10, random.real(0, 7)) * direction(random.real(0, 6.3));
+  return {round, turnedAndMoved(random.real(0, 6), 0, 0), other, pose_b};
+}
+
 Laws distanceLaws() {
   Laws laws;
+  add(laws, {family("round_far_apart", roundFarApart)}, 1000, wrong, {{"hits", 0.01, 0.5}});
   add(laws, {family("squeezed_flat", squeezedFlat)}, 100, wrong, {{"hits", 0.05, 0.5}});
   add(laws, families(), 1000, wrong, {{"hits", 0.1, 0.85}});
   add(laws, anyPairs(), 1000, wrong);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
+#include <vector>
 
 #include "polygon/cache_access.h"
 #include "random.h"
@@ -48,45 +50,31 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
   }
 }
 
-/// A certificate pays for the motion of both, whichever moved by little.
+/// A certificate pays for the motion of both, whichever moved by little. Both may move by the same, and b be mirrored
+/// besides, which the sum of its matrices would hide.
 TEST(Recollection, CountsTheMotionOfBoth) {
-  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
-  const auto ask = [&](double x_a, double x_b, bool truth) {
+  const auto expect = [](const Polygon& a, const Polygon& b, const Pose& before, double clearance,
+                         const std::vector<std::tuple<Pose, Pose, bool>>& asked) {
     for (const bool swapped : {false, true}) {
       PairCache cache;
-      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false,
-                       0.99);
-      const bool answer = swapped ? collide(b, pose(0, x_b, 0), a, pose(0, x_a, 0), cache)
-                                  : collide(a, pose(0, x_a, 0), b, pose(0, x_b, 0), cache);
-      EXPECT_EQ(answer, truth) << x_a << " " << x_b;
+      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), before, false,
+                       clearance);
+      for (const auto& [pose_a, pose_b, truth] : asked)
+        EXPECT_EQ(swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache), truth)
+            << pose_a.translation().x() << " " << pose_b.translation().x();
     }
   };
-  ask(0.1, 3, false);
-  ask(0, 2.9, false);
-  ask(0.1, 1.5, true);
-  ask(1.5, 3.1, true);
-  ask(0.6, 2.4, true);
-  ask(1.2, 3, true);
-  ask(0, 1.8, true);
-}
-
-/// Both moved by the same, and b mirrored besides, which the sum of its matrices would hide.
-TEST(Recollection, CountsAMirrorOfTheRelativePose) {
-  const Polygon a({rectangle(-5, -1, -2, 1)}), b({rectangle(1, -0.5, 3, 0.5)});
+  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
+  const std::tuple<double, double, bool> steps[] = {{0.1, 3, false},  {0, 2.9, false},  {0.1, 1.5, true},
+                                                    {1.5, 3.1, true}, {0.6, 2.4, true}, {1.2, 3, true},
+                                                    {0, 1.8, true}};
+  for (const auto& [x_a, x_b, truth] : steps)
+    expect(a, b, pose(0, 3, 0), 0.99, {{pose(0, x_a, 0), pose(0, x_b, 0), truth}});
   Pose flipped = pose(0, 0, 1);
   flipped.linear() << -1, 0, 0, 1;
-  for (const bool swapped : {false, true}) {
-    PairCache cache;
-    const auto ask = [&](const Pose& pose_a, const Pose& pose_b) {
-      return swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache);
-    };
-    detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), Pose::Identity(), false,
-                     2.99);
-    EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
-    EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
-  }
+  const Pose here = Pose::Identity(), up = pose(0, 0, 1);
+  expect(Polygon({rectangle(-5, -1, -2, 1)}), Polygon({rectangle(1, -0.5, 3, 0.5)}), here, 2.99,
+         {{here, here, false}, {up, flipped, true}, {here, here, false}, {up, flipped, true}});
 }
 
 TEST(SameAs, SeesEveryEntry) {
@@ -94,24 +82,20 @@ TEST(SameAs, SeesEveryEntry) {
   const Pose stored = pose(0.3, 7, -1e-300);
   detail::store(certificate, stored);
   EXPECT_TRUE(detail::sameAs(certificate, stored));
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 3; ++column) {
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 3; ++column)
       for (const int steps : {-1, 1}) {
         Pose other = stored;
         other.matrix()(row, column) = nudged(stored.matrix()(row, column), steps);
         EXPECT_FALSE(detail::sameAs(certificate, other)) << row << " " << column;
       }
-    }
-  }
   // Changes that cancel each other are changes.
   Pose both = stored;
   both.translation() += Vec2(1, -1);
   EXPECT_FALSE(detail::sameAs(certificate, both));
   // The two zeros are one place.
   detail::store(certificate, Pose::Identity());
-  Pose negative = Pose::Identity();
-  negative.translation() = Vec2(-0.0, -0.0);
-  EXPECT_TRUE(detail::sameAs(certificate, negative));
+  EXPECT_TRUE(detail::sameAs(certificate, pose(1, 0, -0.0, 0, 1, -0.0)));
 }
 
 /// A cache that goes from pair to pair holds nothing of the last one.
@@ -164,19 +148,14 @@ struct Walk {
   }
 };
 
-TEST(BackOff, JumpsDoWithoutFacts) {
-  Walk walk;
-  for (int i = 0; i < 400; ++i) walk.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
-  EXPECT_EQ(walk.answered, 0);
-  EXPECT_GT(walk.rested, 350);
-}
-
-/// No certificate lasts for a step, though none is a jump.
-TEST(BackOff, StepsThatUseUpEveryFactDoWithout) {
-  Walk walk;
-  for (int i = 0; i < 400; ++i) walk.ask(4.1, 0.3 * std::abs(i % 8 - 4));
-  EXPECT_EQ(walk.answered, 0);
-  EXPECT_GT(walk.rested, 300);
+/// Jumps, and steps of which none is a jump, for which no certificate lasts.
+TEST(BackOff, WhatUsesUpEveryFactDoesWithout) {
+  Walk jumps, steps;
+  for (int i = 0; i < 400; ++i) jumps.ask(4.1, i % 2 == 0 ? -1.5 : 1.5);
+  for (int i = 0; i < 400; ++i) steps.ask(4.1, 0.3 * std::abs(i % 8 - 4));
+  EXPECT_EQ(jumps.answered + steps.answered, 0);
+  EXPECT_GT(jumps.rested, 350);
+  EXPECT_GT(steps.rested, 300);
 }
 
 /// After the rest, too, though the walk has gone on meanwhile.

@@ -236,12 +236,9 @@ TEST(ConvexImpact, WhatStandsStillHasAnEdgeThatPartsIt) {
 /// Trees are for those that come near.
 TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
   const Polygon a({rectangle(-1, -1, 1, 1)}), b({rectangle(-1, -1, 1, 1)});
-  const Motion passes = Motion::translation(pose(0, -9, 4), Vec2(18, 0)),
-               hits = Motion::translation(pose(0, -9, 0), Vec2(18, 0));
-  EXPECT_FALSE(timeOfImpact(a, {}, b, passes).has_value());
-  EXPECT_EQ(topIfBuilt(a.data()), nullptr);
-  EXPECT_EQ(topIfBuilt(b.data()), nullptr);
-  EXPECT_TRUE(timeOfImpact(a, {}, b, hits).has_value());
+  EXPECT_FALSE(timeOfImpact(a, {}, b, Motion::translation(pose(0, -9, 4), Vec2(18, 0))).has_value());
+  EXPECT_TRUE(topIfBuilt(a.data()) == nullptr && topIfBuilt(b.data()) == nullptr);
+  EXPECT_TRUE(timeOfImpact(a, {}, b, Motion::translation(pose(0, -9, 0), Vec2(18, 0))).has_value());
   EXPECT_NE(topIfBuilt(a.data()), nullptr);
 }
 

@@ -85,6 +85,18 @@ TEST(Depth, OfWhatManyEdgesTieIn) {
   EXPECT_NEAR(depthOf(hall, hall, kHere), 0.5, 1e-13);
 }
 
+/// Without an inside, and beside edges that don't count, since the region is on both sides of them.
+TEST(Depth, OfSegmentsPointsAndSlits) {
+  EXPECT_NEAR(depthOf(box(4, 2), segment({-9, 0.25}, {9, 0.25}), kHere), 0.75, 1e-14);
+  EXPECT_NEAR(depthOf(box(4, 2), point({1, 0.5}), kHere), 0.5, 1e-14);
+  EXPECT_EQ(depthOf(box(4, 2), segment({-2, 1}, {2, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(point({0, 0}), point({0, 0}), kHere), 0);
+  const Polygon slit({{{-2, -2}, {0, -2}, {0, 1}, {0, -2}, {2, -2}, {2, 2}, {-2, 2}}});
+  EXPECT_NEAR(depthOf(slit, box(1, 1), kHere), 2, 1e-14);
+  EXPECT_NEAR(depthOf(Polygon({rectangle(-2, -2, 0, 2), rectangle(0, -2, 2, 2)}), box(1, 1), kHere), 2, 1e-14);
+}
+
 TEST(Depth, OfAnySize) {
   for (const double size : {1e-300, 1e-200, 1e-10, 1e10, 1e150, 1e200}) {
     const Polygon square = box(4, 4).scaled(size);
@@ -105,6 +117,10 @@ TEST(Excess, OfRegionsWithHolesAndWithout) {
   EXPECT_NEAR(in_hole.distance, 2, 1e-14);
   EXPECT_EQ(in_hole.edge, -1);
   EXPECT_NEAR(in_hole.point.norm(), 0, 1e-13);
+  // What has no area is far from hardly more than itself.
+  EXPECT_NEAR(excessOf(area, kHere, point({0, 0})), std::sqrt(50), 1e-14);
+  EXPECT_NEAR(excessOf(area, kHere, segment({-5, 0}, {5, 0})), 5, 1e-14);
+  EXPECT_EQ(excessOf(segment({-1, 0}, {1, 0}), kHere, segment({-5, 0}, {5, 0})), 0);
   // Unbounded.
   EXPECT_EQ(excessOf(area.complement(), kHere, area), kInfinity);
   EXPECT_NEAR(excessOf(box(4, 4).complement(), kHere, area.complement()), 3, 1e-14);

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "distance/edge_distance.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "hierarchy/simd.h"
 #include "hierarchy/unit_map.h"
 #include "laws.h"
 #include "pair/collide_by_hierarchy.h"
-#include "pair/edge_pairs.h"
 #include "pair/root_box.h"
 #include "portable_lanes.h"
 #include "random.h"
@@ -251,30 +248,28 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
         discs->radius[k] = k < discs->count ? static_cast<float>(random.real(0.3, 1) * most) : -1e15f;
       }
     }
-    const double angle = random.real(0, 6.28), c = std::cos(angle), s = std::sin(angle);
-    const double towards = random.real(0, 6.28), error = i % 2 == 0 ? 0 : 1e-4;
-    // Far enough away that the two that come nearest overlap by `depth`.
+    const Pose turn = pose(random.real(0, 6.28), 0, 0);
+    const Vec2 towards = direction(random.real(0, 6.28));
+    const double error = i % 2 == 0 ? 0 : 1e-4;
     const double depth = random.coin() ? random.real(-1e-6, 1e-6) : random.real(-1e-3, 3e-3);
-    const auto overlap = [&](double tx, double ty) {
+    const auto overlap = [&](double away) {
       double most = -1;
       for (int j = 0; j < a.count; ++j)
-        for (int k = 0; k < b.count; ++k) {
-          const double x = c * b.x[k] - s * b.y[k] + tx - a.x[j], y = s * b.x[k] + c * b.y[k] + ty - a.y[j];
-          most = std::max(most, static_cast<double>(a.radius[j]) + b.radius[k] - std::hypot(x, y));
-        }
+        for (int k = 0; k < b.count; ++k)
+          most = std::max(most, static_cast<double>(a.radius[j]) + b.radius[k] -
+                                    (turn * Vec2(b.x[k], b.y[k]) + away * towards - Vec2(a.x[j], a.y[j])).norm());
       return most;
     };
+    // So far away that the two that come nearest overlap by the depth.
     double low = 0, high = 2;
-    for (int step = 0; step < 60; ++step) {
-      const double middle = 0.5 * (low + high);
-      (overlap(middle * std::cos(towards), middle * std::sin(towards)) > depth ? low : high) = middle;
-    }
-    const double tx = high * std::cos(towards), ty = high * std::sin(towards);
-    const double claim = detail::innerDepth(a, b, {c, -s, s, c, tx, ty, 1, error});
+    for (int step = 0; step < 60; ++step) (overlap(0.5 * (low + high)) > depth ? low : high) = 0.5 * (low + high);
+    const auto r = turn.linear();
+    const double claim = detail::innerDepth(
+        a, b, {r(0, 0), r(0, 1), r(1, 0), r(1, 1), high * towards.x(), high * towards.y(), 1, error});
     if (claim <= 0) continue;
     ++claimed;
     // The map may be wrong by `error`: b may be that much farther away.
-    ASSERT_LE(claim, overlap(tx + error * std::cos(towards), ty + error * std::sin(towards)) + 1e-12);
+    ASSERT_LE(claim, overlap(high + error) + 1e-12);
   }
   EXPECT_GT(claimed, cases / 20);
 }
@@ -331,26 +326,24 @@ TEST(Tolerance, IsLessThanWhatTwoBoxesMayHide) {
 
 /// Many small rings in either polygon, so that boxes hold several: what is between them is nobody's.
 TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
+  const Pose here = Pose::Identity();
   std::vector<Ring> dots, grid;
   for (int i = 0; i < 12; ++i) dots.push_back(rectangle(10 * i, 0, 10 * i + 0.01, 0.01));
   for (int i = 0; i < 12; ++i) grid.push_back(rectangle(10 * i + 4, 0, 10 * i + 4.01, 0.01));
   const Polygon a(dots), b(grid), one({rectangle(4, 0, 4.01, 0.01)});
-  const CollideOptions options{0, 0.1};
-  EXPECT_FALSE(collide(a, Pose::Identity(), b, Pose::Identity(), options));
-  EXPECT_FALSE(collide(b, Pose::Identity(), a, Pose::Identity(), options));
-  EXPECT_FALSE(collide(a, Pose::Identity(), one, Pose::Identity(), options));
-  EXPECT_FALSE(collide(a, Pose::Identity(), one, pose(0, 50, 0), options));
-  EXPECT_TRUE(collide(a, Pose::Identity(), one, pose(0, 6, 0), options));
+  const CollideOptions options{0, 0.1}, tolerant{0, 1};
+  EXPECT_FALSE(collide(a, here, b, here, options));
+  EXPECT_FALSE(collide(b, here, a, here, options));
+  for (const double x : {0, 6, 50}) EXPECT_EQ(collide(a, here, one, pose(0, x, 0), options), x == 6);
 
   // A mast between two dots, and between two of four: about as long as they are apart, and longer by far.
   const auto dot = [](double x, double y) { return rectangle(x, y, x + 0.01, y + 0.01); };
   const Polygon two({dot(-10, 0), dot(10, 0)}), four({dot(-10, 0), dot(10, 0), dot(-10, 100), dot(10, 100)});
   for (const double length : {80.0, 160.0, 5000.0}) {
-    const CollideOptions tolerant{0, 1};
     const Polygon mast({rectangle(-0.001, -length, 0.001, length)});
-    EXPECT_FALSE(collide(mast, Pose::Identity(), two, Pose::Identity(), tolerant)) << length;
-    EXPECT_FALSE(collide(mast, Pose::Identity(), four, Pose::Identity(), tolerant)) << length;
-    EXPECT_TRUE(collide(mast, Pose::Identity(), two, pose(0, 10, 0), tolerant)) << length;
+    EXPECT_FALSE(collide(mast, here, two, here, tolerant)) << length;
+    EXPECT_FALSE(collide(mast, here, four, here, tolerant)) << length;
+    EXPECT_TRUE(collide(mast, here, two, pose(0, 10, 0), tolerant)) << length;
   }
 }
 
@@ -377,33 +370,6 @@ TEST(Ray, ThroughVerticesFarAway) {
     ASSERT_EQ(detail::locateInA(by_tree, far), detail::locateInA(by_scan, far));
   }
   ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
-}
-
-/// With the least distance itself for a limit, some boxes' gaps are above it and those of the deepest below, both by no
-/// more than a float's rounding.
-TEST(NearPairs, ShowTheNearestThoughTheLimitIsItsDistance) {
-  Random random(43);
-  const detail::EdgePosition edges = 65;
-  const Polygon a({regular(edges, 1)}), b({regular(edges, 1)});
-  const int cases = scaledCount(4000);
-  for (int i = 0; i < cases; ++i) {
-    const Pose pose_a = pose(random.real(0, 6), 0, 0);
-    Pose pose_b = pose(random.real(0, 6), 0, 0);
-    pose_b.translation() = std::pow(10, random.real(1, 7)) * direction(random.real(0, 6.3));
-    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
-    const detail::EdgeDistances distances{detail::PosedVertices(pair)};
-    double least = std::numeric_limits<double>::infinity();
-    for (detail::EdgePosition k = 0; k < edges; ++k)
-      for (detail::EdgePosition l = 0; l < edges; ++l) least = std::min(least, distances.bounds(k, l).high);
-    const double limit = least;
-    bool found = false;
-    const auto visit = [&](double, detail::EdgePosition k, detail::EdgePosition l) {
-      found = found || distances.bounds(k, l).high == least;
-      return limit;
-    };
-    detail::forEachPair(pair, limit, visit, [&](double) { return limit; });
-    ASSERT_TRUE(found) << "case " << i;
-  }
 }
 
 #ifndef NDEBUG

@@ -4,17 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "limited_distance.h"
 #include "polygon/cache_access.h"
-#include "random.h"
 #include "refusal.h"
 #include "shapes.h"
-#include "tricover/collide.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -54,21 +52,18 @@ TEST(Distance, EdgeToVertexAndEdgeToEdge) {
   EXPECT_EQ(parallel.point_a.y(), parallel.point_b.y());
 }
 
-/// Two regions that are one point each, the same one: there is no edge to divide by.
+/// Two regions that are one point each, the same one: there is no edge to divide by. Far off, too, where what is scaled
+/// by their size would overflow.
 TEST(Distance, OfTwoPolygonsThatAreOnePoint) {
-  const Polygon a({Ring(3, Vec2(0, 0))}), b({Ring(3, Vec2(0, 0))});
-  for (const DistanceResult& r : {distance(a, at(0, 0), b, at(0, 0)), distance(a, at(0, 0), a, at(0, 0))}) {
-    EXPECT_EQ(r.distance, 0);
-    EXPECT_EQ(r.point_a, Vec2(0, 0));
-    EXPECT_EQ(r.point_b, Vec2(0, 0));
-  }
+  const Polygon a = point({0, 0}), b = point({0, 0});
+  for (const Pose& there : {at(0, 0), at(0x1p354, -0x1p353)})
+    for (const Polygon* other : {&a, &b}) {
+      const DistanceResult r = distance(a, there, *other, there);
+      EXPECT_EQ(r.distance, 0);
+      EXPECT_EQ(r.point_a, there.translation());
+      EXPECT_EQ(r.point_b, there.translation());
+    }
   EXPECT_EQ(distance(a, at(0, 0), b, at(3, 4)).distance, 5);
-  // Far off, too, where what is scaled by their size would overflow.
-  const Pose far = at(0x1p354, -0x1p353);
-  const DistanceResult same = distance(a, far, b, far);
-  EXPECT_EQ(same.distance, 0);
-  EXPECT_EQ(same.point_a, far.translation());
-  EXPECT_EQ(same.point_b, far.translation());
 }
 
 /// A gap of one unit in the last place, and of far less than that of any coordinate.
@@ -99,35 +94,27 @@ TEST(Distance, FarFromTheOriginAndOverflow) {
 
 TEST(Distance, OverlapAndContainmentHaveOneCommonPoint) {
   const Polygon a = square(10), b = square(1);
-  const DistanceResult inside = distance(a, at(0, 0), b, at(4, 5));
-  EXPECT_EQ(inside.distance, 0);
-  EXPECT_EQ(inside.point_a, Vec2(4, 5));
-  EXPECT_EQ(inside.point_b, Vec2(4, 5));
-  EXPECT_EQ(inside.edge_a, -1);
-  EXPECT_EQ(inside.edge_b, 0);
-  const DistanceResult turned = distance(b, at(4, 5), a, at(0, 0));
-  EXPECT_EQ(turned.edge_a, 0);
-  EXPECT_EQ(turned.edge_b, -1);
+  const DistanceResult inside = distance(a, at(0, 0), b, at(4, 5)), turned = distance(b, at(4, 5), a, at(0, 0));
+  EXPECT_TRUE(inside.distance == 0 && inside.point_a == Vec2(4, 5) && inside.point_b == Vec2(4, 5));
+  EXPECT_TRUE(inside.edge_a == -1 && inside.edge_b == 0 && turned.edge_a == 0 && turned.edge_b == -1);
   const DistanceResult crossing = distance(a, at(0, 0), b, at(9.5, 5));
-  EXPECT_EQ(crossing.distance, 0);
-  EXPECT_EQ(crossing.point_a, crossing.point_b);
-  EXPECT_EQ(crossing.point_a.x(), 10);
+  EXPECT_TRUE(crossing.distance == 0 && crossing.point_a == crossing.point_b && crossing.point_a.x() == 10);
   EXPECT_EQ(crossing.edge_a, 1);
-  EXPECT_EQ(distance(a, at(0, 0), a, at(0, 0)).distance, 0);
 }
 
 TEST(Distance, RefusesAndNamesTheField) {
   const Polygon a = square(1);
-  const auto refused = [&](const LimitedOptions& options) {
-    return refusal([&] { distance(a, at(0, 0), a, at(3, 0), options); });
-  };
-  for (const double bad : {-1.0, kNaN, -kInfinity}) {
-    LimitedOptions relative, absolute, limit;
-    relative.relative_error = absolute.absolute_error = limit.limit = bad;
-    EXPECT_NE(refused(relative).find("tricover: relative_error: "), std::string::npos);
-    EXPECT_NE(refused(absolute).find("tricover: absolute_error: "), std::string::npos);
-    EXPECT_NE(refused(limit).find("tricover: limit: "), std::string::npos);
-  }
+  const std::pair<const char*, double LimitedOptions::*> fields[] = {
+      {"relative_error", &LimitedOptions::relative_error},
+      {"absolute_error", &LimitedOptions::absolute_error},
+      {"limit", &LimitedOptions::limit}};
+  for (const auto& [name, field] : fields)
+    for (const double bad : {-1.0, kNaN, -kInfinity}) {
+      LimitedOptions options;
+      options.*field = bad;
+      const std::string said = refusal([&] { distance(a, at(0, 0), a, at(3, 0), options); });
+      EXPECT_NE(said.find(std::string("tricover: ") + name + ": "), std::string::npos) << said;
+    }
   Pose bad = at(0, 0);
   bad.linear() *= 1.001;
   PairCache cache;
@@ -185,24 +172,20 @@ TEST(DistanceCache, BacksOffWhileHintsDoNotHelp) {
 /// Sides of a convex polygon may be divided: the edges that are named are the given ones.
 TEST(Distance, NamesTheEdgesOfDividedSides) {
   const Ring square = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 2}, {0.25, 2}, {0, 2}, {0, 1}};
-  const Polygon wedge({{{-1, 1}, {0, 0}, {0.5, 0.5}, {1, 1}, {0, 1}}});
-  const auto nearestEdge = [&](const Ring& ring, const Pose& pose_a, const Pose& pose_b) {
-    const Polygon a({ring});
-    const DistanceResult found = distance(a, pose_a, wedge, pose_b);
-    EXPECT_EQ(found.edge_b == 0 || found.edge_b == 1, true);
-    EXPECT_EQ(distance(wedge, pose_b, a, pose_a).edge_b, found.edge_a);
-    return found.edge_a;
-  };
-  const Pose turned = mirrored(pose(1, 3, -2));
-  for (const Pose& pose_a : {Pose(Pose::Identity()), turned}) {
-    const auto edgeAt = [&](double x) { return nearestEdge(square, pose_a, pose_a * pose(0, x, 2.5)); };
-    EXPECT_EQ(edgeAt(1.5), 4);
-    EXPECT_EQ(edgeAt(0.5), 6);
-    EXPECT_EQ(edgeAt(0.125), 7);
-    const auto edgeBack = [&](double x) { return nearestEdge(reversed(square), pose_a, pose_a * pose(0, x, 2.5)); };
-    EXPECT_EQ(edgeBack(1.5), 4);
-    EXPECT_EQ(edgeBack(0.5), 2);
-  }
+  const Polygon wedge({{{-1, 1}, {0, 0}, {0.5, 0.5}, {1, 1}, {0, 1}}}), plain({square}), back({reversed(square)});
+  const struct {
+    const Polygon& a;
+    double x;
+    EdgeIndex edge;
+  } table[] = {{plain, 1.5, 4}, {plain, 0.5, 6}, {plain, 0.125, 7}, {back, 1.5, 4}, {back, 0.5, 2}};
+  for (const Pose& pose_a : {Pose(Pose::Identity()), mirrored(pose(1, 3, -2))})
+    for (const auto& [a, x, edge] : table) {
+      const Pose pose_b = pose_a * pose(0, x, 2.5);
+      const DistanceResult found = distance(a, pose_a, wedge, pose_b);
+      EXPECT_EQ(found.edge_a, edge) << x;
+      EXPECT_TRUE(found.edge_b == 0 || found.edge_b == 1);
+      EXPECT_EQ(distance(wedge, pose_b, a, pose_a).edge_b, edge);
+    }
 }
 
 /// As every ring of WKT and GeoJSON is closed.

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The convex hull by its laws, on a grid where signs are exact; nearest points of segments; peaks of affine functions;
-// the operands' order.
+// The convex hull by its laws, on a grid where signs are exact; support vertices of convex rings against all vertices;
+// nearest points of segments; peaks of affine functions; the operands' order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "convex/convex_ring.h"
 #include "depth/peak.h"
 #include "numbers/convex_hull.h"
 #include "numbers/segment.h"
 #include "pair/kernel_order.h"
 #include "random.h"
 #include "shapes.h"
+#include "test_scale.h"
 
 namespace tricover::support {
 namespace {
@@ -39,25 +42,16 @@ TEST(ConvexHull, TurnsLeftAtEveryCornerAndHoldsEveryPoint) {
     for (int n = random.integer(1, 12); n > 0; --n)
       points.emplace_back(random.integer(0, cells), random.oneIn(5) ? 0 : random.integer(0, cells));
     const std::vector<Vec2> corners = hull(points);
-    ASSERT_FALSE(corners.empty());
-    segments += corners.size() == 2;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vec2 &p = corners[k], &q = corners[(k + 1) % corners.size()], &r = corners[(k + 2) % corners.size()];
+    const std::size_t size = corners.size();
+    ASSERT_GT(size, 0u);
+    segments += size == 2;
+    for (std::size_t k = 0; k < size; ++k) {
+      const Vec2 &p = corners[k], &q = corners[(k + 1) % size], &r = corners[(k + 2) % size];
       ASSERT_TRUE(std::find(points.begin(), points.end(), p) != points.end());
-      ASSERT_FALSE(corners[0].x() > p.x() || (corners[0].x() == p.x() && corners[0].y() > p.y()));
-      if (corners.size() > 2) {
-        ASSERT_GT(cross(q - p, r - q), 0);
-      }
-      for (const Vec2& point : points) {
-        if (corners.size() > 1) {
-          ASSERT_GE(cross(q - p, point - p), 0);
-        } else {
-          ASSERT_EQ(point, p);
-        }
-      }
-    }
-    if (corners.size() == 2) {
-      ASSERT_NE(corners[0], corners[1]);
+      ASSERT_LE(std::pair(corners[0].x(), corners[0].y()), std::pair(p.x(), p.y()));
+      ASSERT_TRUE(size < 3 || cross(q - p, r - q) > 0);
+      ASSERT_TRUE(size == 1 || p != q);
+      for (const Vec2& point : points) ASSERT_TRUE(size == 1 ? point == p : cross(q - p, point - p) >= 0);
     }
   }
   EXPECT_GT(segments, 100);
@@ -152,6 +146,69 @@ TEST(Peak, IsNowhereBelowItsFunctions) {
     }
   }
   EXPECT_GT(repeated, 0);
+}
+
+using detail::ConvexRing;
+using detail::Double2;
+using detail::RingRange;
+
+TEST(ConvexRing, FindsTheSupportVertex) {
+  Random random(31);
+  int walked = 0, doubtful = 0;
+  const int count = scaledCount(4000);
+  for (int i = 0; i < count; ++i) {
+    Ring vertices = random.oneIn(4) ? rectangle(-2, -1, 2, 1) : regular(random.integer(3, 100), 1);
+    const int turn = random.coin() ? 1 : -1;
+    if (turn < 0) std::reverse(vertices.begin(), vertices.end());
+    std::rotate(vertices.begin(), vertices.begin() + random.integer(0, static_cast<int>(vertices.size()) - 1),
+                vertices.end());
+    const std::size_t size = vertices.size();
+    vertices.push_back(vertices.front());
+    const ConvexRing ring(vertices.data(), size, turn);
+    const Vec2 n = direction(random.oneIn(4) ? random.integer(0, 3) * 1.5707963267948966 : random.real(0, 6.3));
+    const auto height = [&](std::uint32_t k) { return n.dot(vertices[k]); };
+    double highest = height(0);
+    for (std::uint32_t k = 1; k < size; ++k) highest = std::max(highest, height(k));
+    EXPECT_NEAR(height(ring.supportVertex(Double2{n.x(), n.y()})), highest, 1e-15);
+    // What is walked over is all that is no lower than by the doubt, wherever the walk begins.
+    const double doubt = random.oneIn(3) ? 0.01 : 1e-12;
+    RingRange range{static_cast<std::uint32_t>(random.integer(0, static_cast<int>(size) - 1)), 0};
+    const std::uint32_t begin = range.first;
+    if (!ring.supportVertex(Double2{n.x(), n.y()}, doubt, range)) continue;
+    double best = height(range.first);
+    for (std::uint32_t k = 0; k < range.count; ++k) best = std::max(best, height(ring.after(range.first, k)));
+    EXPECT_EQ(best, highest);
+    const std::uint32_t last = ring.after(range.first, range.count - 1);
+    EXPECT_GT(height(range.first) - height(ring.previous(range.first)), doubt * (1 - 1e-3));
+    EXPECT_GT(height(last) - height(ring.next(last)), doubt * (1 - 1e-3));
+    walked += begin != range.first;
+    doubtful += range.count > 1;
+  }
+  EXPECT_GT(walked, count / 2);
+  EXPECT_GT(doubtful, count / 20);
+}
+
+/// Edges that are parallel but for rounding, the first one among them: all cross products of these two numbers'
+/// multiples are whole, and far below what doubles round theirs by.
+TEST(ConvexRing, FindsTheSupportVertexOfNearlyStraightChains) {
+  Random random(32);
+  const Vec2 step(4807526976, 2971215073),
+      first(7778742049, 4807526976);  // Fibonacci numbers: their cross product is 1
+  const int count = scaledCount(4000);
+  for (int i = 0; i < count; ++i) {
+    const int edges = random.integer(2, 20);
+    Ring vertices{Vec2(0, 0)};
+    for (int k = 0; k < edges; ++k) vertices.push_back(vertices.back() + first + k * step);
+    vertices.emplace_back(-1e11, 1e11);
+    std::rotate(vertices.begin(), vertices.begin() + random.integer(0, edges + 1), vertices.end());
+    const std::size_t size = vertices.size();
+    vertices.push_back(vertices.front());
+    const Vec2 n = direction(random.real(0, 6.3));
+    double highest = n.dot(vertices[0]);
+    for (const Vec2& v : vertices) highest = std::max(highest, n.dot(v));
+    const ConvexRing ring(vertices.data(), size, 1);
+    ASSERT_NEAR(n.dot(vertices[ring.supportVertex(Double2{n.x(), n.y()})]), highest, 1) << i;
+  }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "hierarchy/simd.h"
 #include "impact/vertex_paths.h"
@@ -169,7 +168,7 @@ MovingQuery queryOf(const MovedBox& box, double reach) {
 /// Of eight boxes at once, a point of each in turn is met by one of the box that moves.
 TEST(CutIntervals, NeverCutsContactOff) {
   const int cases = scaledCount(100000);
-  int parted = 0, cuts = 0, met_boxes = 0;
+  int parted = 0, cuts = 0;
   for (int i = 0; i < cases; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const auto f = [](double value) { return static_cast<float>(value); };
@@ -207,11 +206,9 @@ TEST(CutIntervals, NeverCutsContactOff) {
     ASSERT_LE(d(from_end[lane]), 1 - share) << i;
     ASSERT_EQ(begin[lane], from_begin[lane]) << i;
     ASSERT_EQ(end[lane], from_end[lane]) << i;
-    ++met_boxes;
     cuts += d(from_begin[lane]) > 0.5 * share || d(from_end[lane]) > 0.5 * (1 - share);
     parted += block.count - __builtin_popcount(left);
   }
-  std::printf("%d met, %d of them cut, %d others parted\n", met_boxes, cuts, parted);
   EXPECT_GT(cuts, cases / 5);
   EXPECT_GT(parted, cases / 2);
 }

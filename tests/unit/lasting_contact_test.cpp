@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that start in contact, and contact that lasts: it is proven by the features that are in contact, not by steps
-// of time_error. A step of these tests that took them would not end.
+// of time_error. A step of these tests that took them would not end. A search that ends at its budget says what is
+// proven, and that it does.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,21 +62,6 @@ TEST(LastingContact, ACrateOnAFloor) {
     // Along a cubic at the same height.
     const Motion spline = Motion::spline({{-5, 1}, 0, {6, 0}, 0}, {{5, 1}, 0, {8, 0}, 0});
     expectOne(conflicts(floor, still(0, 0), crate, spline, within(error)), 0, 1, error);
-  }
-}
-
-TEST(LastingContact, LanesAtExactlyTheMargin) {
-  const Polygon robot = box(1, 0.8);
-  const Motion east = slide(-5, 0, {10, 0}), west = slide(5, 1, {-10, 0});
-  for (const double error : kErrors) {
-    SCOPED_TRACE(error);
-    EXPECT_TRUE(conflicts(robot, east, robot, west, within(error, false, 0.19)).empty());
-    // They are beside each other while their centres are within 1 along x. At the ends of contact, the distance changes
-    // with the square of what is left: 1e-13 of a length are 1e-7 of it.
-    expectOne(conflicts(robot, east, robot, west, within(error, false, 0.2)), 0.45, 0.55, std::max(error, 1e-7));
-    const double beyond = std::sqrt(0.21 * 0.21 - 0.2 * 0.2) / 20;
-    expectOne(conflicts(robot, east, robot, west, within(error, false, 0.21)), 0.45 - beyond, 0.55 + beyond,
-              std::max(error, 1e-9));
   }
 }
 
@@ -167,15 +153,6 @@ TEST(ContactAtTheStart, DocksAreLeftFreely) {
   EXPECT_GT(together, 100);
 }
 
-TEST(ContactAtTheStart, TheSeparationItselfIsNoImpact) {
-  const Polygon square = box(2, 2);
-  for (const double error : kErrors) {
-    const Motion passes = slide(0, 2 - 10 * 0.18, {0, 10});
-    EXPECT_FALSE(timeOfImpact(square, still(0, 0), square, passes, within(error, true))) << error;
-    EXPECT_TRUE(conflicts(square, still(0, 0), square, passes, within(error, true)).empty()) << error;
-  }
-}
-
 /// A pose off rigid costs what an exact one costs, and its impact is where that one's is.
 TEST(ContactAtTheStart, PosesOffRigid) {
   const Polygon post({rectangle(-0.25, -1, 0.25, 0)}), triangle({{{0, 0}, {1, 0.5}, {0.5, 1}}});
@@ -265,6 +242,79 @@ TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {
   EXPECT_FALSE(timeOfImpact(robot, first, robot, second, absent));
   expectOne(conflicts(robot, first, robot, longer, absent), 5, 10, 0);
   EXPECT_EQ(timeOfImpact(robot, first, robot, longer, absent)->time, 5);
+}
+
+const Polygon kSquare = box(2, 2), kNotched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
+const Motion kStill;
+
+/// Triangles side by side that share an apex at the origin, to the left or to the right of it.
+Polygon fan(int triangles, double side) {
+  Ring ring;
+  for (int i = 0; i < triangles; ++i) {
+    const double low = -1 + 2.0 * i / triangles, high = low + 1.0 / triangles;
+    ring.push_back({0, 0});
+    ring.push_back({side, side > 0 ? low : high});
+    ring.push_back({side, side > 0 ? high : low});
+  }
+  return Polygon({ring});
+}
+
+/// The apexes pass by each other while one fan turns: a million pairs of edges are a hair apart, all the time.
+TEST(ImpactBudget, EndsWithTheProvenTime) {
+  const Polygon left = fan(400, -1), right = fan(400, 1);
+  Motion up = slide(1e-9, -1e-4, {0, 1e-3});
+  up.angle = 0.1;
+  const auto impact = timeOfImpact(left, kStill, right, up);
+  ASSERT_TRUE(impact.has_value());
+  EXPECT_TRUE(impact->budget_ended);
+  EXPECT_TRUE(impact->time > 0 && impact->time <= 1);
+  EXPECT_TRUE(impact->edge_a >= 0 && impact->edge_a < left.edgeCount() && impact->edge_b < right.edgeCount());
+  EXPECT_NEAR(impact->normal.norm(), 1, 1e-9);
+  const auto all = conflicts(left, kStill, right, up);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(all[0].budget_ended && all[0].impact.budget_ended);
+  EXPECT_EQ(all[0].end, 1);
+  // Fewer edges are not too many.
+  EXPECT_FALSE(timeOfImpact(fan(20, -1), kStill, fan(20, 1), up).has_value());
+}
+
+/// A square slides along the straight side of a polygon, convex or not, exactly as deep as is allowed: the deepest
+/// points of both ends of a step tell that the contact lasts.
+TEST(ImpactBudget, LastsWhereAnOverlapStaysExactlyAsDeepAsIsAllowed) {
+  const Motion beside = slide(1.875, -0.5, {0, 1});
+  for (const Polygon& a : {kNotched, kSquare}) {
+    EXPECT_FALSE(timeOfImpact(a, kStill, kSquare, beside, {-0.125, 0, true}).has_value());
+    expectOne(conflicts(a, kStill, kSquare, beside, {-0.125, 0}), 0, 1, 0);
+  }
+}
+
+/// A box leaves the hole that it fills: it stays in what is around it, however far it goes. And one of a size that is
+/// nothing beside its way slides along a wall.
+TEST(ImpactBudget, LastsForExtremeRatios) {
+  const Polygon hole = box(1, 1).complement();
+  for (const double far : {1e60, 1e100, 1e150, 1e300}) {
+    SCOPED_TRACE(far);
+    expectOne(conflicts(hole, kStill, box(1, 1), slide(0, 0, {0, far})), 0, 1, 0);
+  }
+  for (const double size : {1e-30, 1e-70, 1e-150, 1e-300}) {
+    const Polygon speck({{{0, 0}, {size, 0}, {size, size}, {0, size}}});
+    SCOPED_TRACE(size);
+    expectOne(conflicts(kSquare, kStill, speck, slide(-2, 1, {8, 0})), 0.125, 0.375, 1e-6);
+  }
+}
+
+/// They touch at the start within rounding alone or not at all, and are never as deep as is allowed.
+TEST(ImpactBudget, LeavesOutAContactThatIsNoImpact) {
+  int without = 0;
+  for (double off = 1e-13; off < 1e-10; off *= 1.5) {
+    const Motion beside = slide(1.875 + off, -0.5, {0, 1});
+    const ImpactOptions options{-0.125, 0, true};
+    if (timeOfImpact(kNotched, kStill, kSquare, beside, {-0.125, 0})) continue;
+    ++without;
+    EXPECT_FALSE(timeOfImpact(kNotched, kStill, kSquare, beside, options)) << off;
+    EXPECT_TRUE(conflicts(kNotched, kStill, kSquare, beside, options).empty()) << off;
+  }
+  EXPECT_GE(without, 2);
 }
 
 }  // namespace

@@ -196,16 +196,15 @@ TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
   Random random(9);
   int seen = 0, meeting = 0;
   const int count = scaledCount(2000);
+  const Polygon a({{{-1, 0}, {1, 0}, {0, 5}}});
   for (int i = 0; i < count; ++i) {
-    const Pose at_a = randomPose(random, 1), at_b = randomPose(random, 1);
+    const Pose at_a = randomPose(random, 1), at_b = randomPose(random, 1), to_b = at_b.inverse() * at_a;
     const double x = random.real(-1, 1), beyond = random.coin() ? 0.1 : std::ldexp(1.0, -random.integer(40, 53));
-    const Vec2 tip = at_b.inverse() * (at_a * Vec2(x, random.coin() ? beyond : -beyond));
-    const Vec2 from = at_b.inverse() * (at_a * Vec2(x + 0.5, -1));
-    const Polygon a({{{-1, 0}, {1, 0}, {0, 5}}}), b({{from, tip, from + Vec2(0.1, 0.1)}});
+    const Vec2 tip = to_b * Vec2(x, random.coin() ? beyond : -beyond), from = to_b * Vec2(x + 0.5, -1);
+    const Polygon b({{from, tip, from + Vec2(0.1, 0.1)}});
     const PosedPair pair(a.data(), at_a, b.data(), at_b);
-    const bool meets = edgesMeet(pair, 0, 0);
     EdgeDistance point;
-    const bool is_seen = EdgeDistances::cross(PosedVertices(PosedPair(a.data(), at_a, b.data(), at_b)), 0, 0, point);
+    const bool meets = edgesMeet(pair, 0, 0), is_seen = EdgeDistances::cross(PosedVertices(pair), 0, 0, point);
     ASSERT_TRUE(!is_seen || meets) << reproduction({a, at_a, b, at_b});
     seen += is_seen;
     meeting += meets;
@@ -261,38 +260,41 @@ TEST(NearestFeatures, LooksAtEdgesBeforeAndBehindAVertex) {
 TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
   const Polygon straight({{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}}}), flat({{{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}});
-  const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
-    const Pose at_a = Pose::Identity(), at_b = pose(0, shift.x(), shift.y());
-    return nearestOf(PosedPair(a.data(), at_a, b.data(), at_b)).meeting;
-  };
-  constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
-  EXPECT_EQ(shows(square, square, {3, 0.25}), kApart);
-  EXPECT_EQ(shows(square, square, {3, 0}), kApart) << "sides that face each other";
-  EXPECT_EQ(shows(square, square, {3, 3}), kApart) << "corners";
-  EXPECT_EQ(shows(square, square, {1, 0}), Meeting::Meet) << "a touch, of edges that meet";
-  EXPECT_EQ(shows(square, square, {0.5, 0.25}), Meeting::Meet);
-  EXPECT_EQ(shows(many, square, {3, 0.25}), kApart);
-  EXPECT_EQ(shows(many, square, {0.5, 0.25}), kUnknown) << "many vertices, and they meet";
-  EXPECT_EQ(shows(flat, flat, {0, 1e-5}), kApart) << "thin ones";
-  EXPECT_EQ(shows(straight, square, {3, 0.25}), kUnknown);
-  EXPECT_EQ(shows(notched, square, {3, 0.25}), kUnknown);
-  EXPECT_EQ(shows(square, square, {1e4, 0}), kApart);
-  EXPECT_EQ(shows(square, square, {1e15, 0}), kUnknown) << "an axis in doubles leads past the features";
+  const struct {
+    const char* name;
+    const Polygon &a, &b;
+    Vec2 shift;
+    Meeting meeting;
+  } table[] = {{"apart", square, square, {3, 0.25}, Meeting::Apart},
+               {"sides that face each other", square, square, {3, 0}, Meeting::Apart},
+               {"corners", square, square, {3, 3}, Meeting::Apart},
+               {"a touch, of edges that meet", square, square, {1, 0}, Meeting::Meet},
+               {"an overlap", square, square, {0.5, 0.25}, Meeting::Meet},
+               {"many vertices", many, square, {3, 0.25}, Meeting::Apart},
+               {"many vertices, and they meet", many, square, {0.5, 0.25}, Meeting::Unknown},
+               {"thin ones", flat, flat, {0, 1e-5}, Meeting::Apart},
+               {"a straight vertex", straight, square, {3, 0.25}, Meeting::Unknown},
+               {"a notch", notched, square, {3, 0.25}, Meeting::Unknown},
+               {"far away", square, square, {1e4, 0}, Meeting::Apart},
+               {"an axis in doubles leads past the features", square, square, {1e15, 0}, Meeting::Unknown}};
+  const Pose here = Pose::Identity();
+  for (const auto& [name, a, b, shift, meeting] : table) {
+    const Pose there = pose(0, shift.x(), shift.y());
+    EXPECT_EQ(nearestOf(PosedPair(a.data(), here, b.data(), there)).meeting, meeting) << name;
+  }
 }
 
 /// A neighbour that is behind by enough of the distance, but by too little of the way there, may hold it too.
 TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
   const Polygon b({{{0, 0.5}, {1, 3}, {-1, 3}}});
-  for (const double before : {0x1p-17, 0x1p-23}) {
+  const Pose still = Pose::Identity();
+  for (const double before : {0x1p-17, 0x1p-23})
     for (const double after : {0x1p-17, 0x1p-23}) {
       const Polygon a({{{-1, -4}, {1, -4}, {1, -before}, {0, 0}, {-1, -after}}});
-      const Pose still = Pose::Identity();
-      const NearestFeatures nearest =
-          findNearestFeatures(PosedVertices(PosedPair(a.data(), still, b.data(), still)), {});
+      const Found nearest = nearestOf(PosedPair(a.data(), still, b.data(), still));
       ASSERT_TRUE(nearest.are_apart);
       EXPECT_EQ(nearest.is_unique, before > 0x1p-20 && after > 0x1p-20) << before << ", " << after;
     }
-  }
 }
 
 TEST(NearestFeatures, GoesOnAlongBothOutlines) {

@@ -71,24 +71,11 @@ TEST(Outline, HasVerticesOnlyWhereItTurns) {
   const auto polygon = outline(gridOf({"#####", "#...#", "#.#.#", "#...#", "#####"}));
   ASSERT_TRUE(polygon);
   ASSERT_EQ(polygon->rings().size(), 3u);
-  double area = 0;
-  for (const Ring& ring : polygon->rings()) {
-    EXPECT_EQ(ring.size(), 4u);
-    area += signedArea(ring);
-  }
-  EXPECT_EQ(area, 16 + 1);
-  expectRegionOf(gridOf({"#####", "#...#", "#.#.#", "#...#", "#####"}), *polygon);
+  for (const Ring& ring : polygon->rings()) EXPECT_EQ(ring.size(), 4u);
+  EXPECT_EQ(polygon->area(), 16 + 1);
 }
 
-TEST(Outline, OfDiagonalNeighboursBothWaysTouchesInTheirCorner) {
-  for (const auto& rows : {std::vector<std::string>{"#.", ".#"}, std::vector<std::string>{".#", "#."},
-                           std::vector<std::string>{"####", "##.#", "#.##", "####"},
-                           std::vector<std::string>{"####", "#.##", "##.#", "####"}}) {
-    const OccupancyGrid grid = gridOf(rows);
-    const auto polygon = outline(grid);
-    ASSERT_TRUE(polygon);
-    expectRegionOf(grid, *polygon);
-  }
+TEST(Outline, OfDiagonalNeighboursBothWaysAreTwoRings) {
   EXPECT_EQ(outline(gridOf({"#.", ".#"}))->rings().size(), 2u);
   EXPECT_EQ(outline(gridOf({".#", "#."}))->rings().size(), 2u);
 }
@@ -134,32 +121,21 @@ TEST(Outline, OfRandomGridsIsTheirRegion) {
 }
 
 TEST(Outline, RefusesWhatIsNoGridAndNamesTheField) {
-  const auto refused = [](const OccupancyGrid& grid, const std::string& field) {
-    const std::string message = support::refusal([&] { outline(grid); });
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::nan("");
+  const std::vector<std::int8_t> four(4, 100);
+  const std::pair<OccupancyGrid, const char*> refused[] = {
+      {{2, 2, {100, 100, 100}, 1, {0, 0}}, "cells: 3 values for 2 x 2 cells"},
+      {{2, 2, four, 0, {0, 0}}, "resolution"},
+      {{2, 2, four, -1, {0, 0}}, "resolution"},
+      {{2, 2, four, kNaN, {0, 0}}, "resolution"},
+      {{2, 2, four, kInfinity, {0, 0}}, "origin"},
+      {{2, 2, four, 0.05, {0, 1e17}}, "resolution: corners 0 and 1"},
+      {{2, 2, four, 0.05, {kNaN, 0}}, "origin"},
+      {{std::numeric_limits<std::size_t>::max(), 2, {}, 1, {0, 0}}, "height"}};
+  for (const auto& [grid, field] : refused) {
+    const std::string message = support::refusal([&, &of = grid] { outline(of); });
     EXPECT_NE(message.find(field), std::string::npos) << message;
-  };
-  OccupancyGrid grid = gridOf({"##", "##"});
-  grid.cells.pop_back();
-  refused(grid, "cells: 3 values for 2 x 2 cells");
-  grid = gridOf({"##", "##"});
-  for (const double resolution : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    grid.resolution = resolution;
-    refused(grid, "resolution");
   }
-  grid.resolution = std::numeric_limits<double>::infinity();
-  refused(grid, "origin");
-  grid.resolution = 0.05;
-  grid.origin = Vec2(0, 1e17);
-  refused(grid, "resolution: corners 0 and 1");
-  grid.origin = Vec2(std::numeric_limits<double>::quiet_NaN(), 0);
-  refused(grid, "origin");
-  grid = OccupancyGrid{};
-  grid.width = std::numeric_limits<std::size_t>::max();
-  grid.height = 2;
-  refused(grid, "height");
-}
-
-TEST(Outline, RefusesAnEmptyFunction) {
   EXPECT_EQ(support::refusal([] {
               outline({1, 1, {1}, 1, {0, 0}}, IsOccupied());
             }),
