@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact_reference.h"
 #include "families.h"
 #include "law.h"
 #include "pairs.h"
@@ -57,7 +58,7 @@ Vec2 anyPoint(Random& random, const Polygon& polygon) {
 }
 
 std::string wrongAt(const Polygon& polygon, const Vec2& point, Tally& tally) {
-  const Location truth = Reference::locate(polygon, point);
+  const Location truth = polygon.isComplement() ? exact::locate(polygon, point) : Reference::locate(polygon, point);
   tally.count("outside", truth == Location::Outside);
   tally.count("boundary", truth == Location::Boundary);
   tally.count("inside", truth == Location::Inside);
