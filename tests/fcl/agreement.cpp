@@ -57,7 +57,7 @@ TEST(Agreement, alongWalks) {
       angle += stride * random.real(-1, 1);
       place = 0.98 * place + stride * tricover::Vec2(random.real(-1, 1), random.real(-1, 1));
       if (random.oneIn(10)) z = random.coin() ? 0 : random.real(-0.3, 0.3);
-      a.setTransform(lifted(tricover::support::pose(angle, place.x(), place.y()), z));
+      a.setTransform(lifted(tricover::support::turnedAndMoved(angle, place.x(), place.y()), z));
       a.computeAABB();
       const bool hit = collide(a, b, fcl::GST_LIBCCD);
       ASSERT_TRUE(!hit || a.getAABB().overlap(b.getAABB()));

@@ -100,7 +100,8 @@ TEST(Broadphase, randomScene) {
   for (int i = 0; i < 60; ++i) {
     const double angle = random.oneIn(3) ? 0 : random.real(0, 6);
     scene.add(randomPolygon(random, random.real(1, 5)),
-              tricover::support::pose(angle, random.real(-15, 15), random.real(-15, 15)), random.oneIn(8) ? 0.5 : 0);
+              tricover::support::turnedAndMoved(angle, random.real(-15, 15), random.real(-15, 15)),
+              random.oneIn(8) ? 0.5 : 0);
   }
   const std::size_t hits = scene.pairs().size();
   std::size_t boxes = 0;
@@ -121,7 +122,7 @@ TEST(Broadphase, touchingGrid) {
   Scene scene;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, i, j));
+      scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::turnedAndMoved(0, i, j));
     }
   }
   EXPECT_EQ(scene.pairs().size(), 2u * 6 * 5 + 2 * 5 * 5);
@@ -133,8 +134,8 @@ TEST(Broadphase, touchingGrid) {
 TEST(Broadphase, tinyRotationsCountToo) {
   // The rotation that FCL's box leaves out lifts the bar's tip into the square above it.
   Scene scene;
-  scene.add(tricover::Polygon({rectangle(0, 0, 1e6, 1)}), tricover::support::pose(0.9e-12, 0, 0));
-  scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, 1e6 - 1, 1 + 8e-7));
+  scene.add(tricover::Polygon({rectangle(0, 0, 1e6, 1)}), tricover::support::turnedAndMoved(0.9e-12, 0, 0));
+  scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::turnedAndMoved(0, 1e6 - 1, 1 + 8e-7));
   EXPECT_EQ(scene.pairs().size(), 1u);
   expectAgreement(scene, [&] { scene.objects[0]->setRotation(fcl::Matrix3d::Identity()); });
   EXPECT_EQ(scene.pairs().size(), 0u);
@@ -173,7 +174,7 @@ TEST(Broadphase, extremeSizesAndOffsets) {
 TEST(Broadphase, callbackStopsAsFclsDoes) {
   Scene scene;
   for (int i = 0; i < 5; ++i) {
-    scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::pose(0, 0.1 * i, 0));
+    scene.add(tricover::Polygon({rectangle(0, 0, 1, 1)}), tricover::support::turnedAndMoved(0, 0.1 * i, 0));
   }
   fcl::NaiveCollisionManagerd manager;
   for (const auto& object : scene.objects) manager.registerObject(object.get());

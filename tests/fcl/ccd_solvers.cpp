@@ -56,7 +56,7 @@ TEST(Solvers, areAllExactOfPolygons) {
 /// are, also where they overlap at time 0, of which FCL asks no motion.
 TEST(Solvers, sampleATrajectoryMotionBesideFclsOwnPairsOrRefuseIt) {
   const fcl::Boxd box(1, 1, 1);
-  const auto still = [](double x) { return tricover::Motion::still(tricover::support::pose(0, x, 0)); };
+  const auto still = [](double x) { return tricover::Motion::still(tricover::support::turnedAndMoved(0, x, 0)); };
   const fcl::TranslationMotiond rests(lifted(0, 0, 0), lifted(0, 0, 0));
   for (const double x : {0.0, 9.0}) {
     const tricover::Trajectory early({{-2, -1, still(x)}}), late({{0.5, 2, still(x)}}), first({{0, 0.5, still(x)}});

@@ -124,11 +124,12 @@ TEST(FloatScalar, distancesBelowTheSmallestFloatAreNotZero) {
 TEST(FloatScalar, translationsCollide) {
   // The motions that compile; so does what takes motions, but not what takes transforms.
   const Shape<float> square = shapeOf<float>(tricover::Polygon({tricover::support::rectangle(0, 0, 1, 1)}));
-  const fcl::Transform3f begin = lifted<float>(tricover::support::pose(0, -4, 0)),
-                         end = lifted<float>(tricover::support::pose(0, 4, 0)), here = fcl::Transform3f::Identity();
+  const fcl::Transform3f begin = lifted<float>(tricover::support::turnedAndMoved(0, -4, 0)),
+                         end = lifted<float>(tricover::support::turnedAndMoved(0, 4, 0)),
+                         here = fcl::Transform3f::Identity();
   const fcl::TranslationMotionf motion(begin, end), still(here, here);
-  const fcl::TranslationMotionf flies(lifted<float>(tricover::support::pose(0, -400, 0)),
-                                      lifted<float>(tricover::support::pose(0, 400, 0)));
+  const fcl::TranslationMotionf flies(lifted<float>(tricover::support::turnedAndMoved(0, -400, 0)),
+                                      lifted<float>(tricover::support::turnedAndMoved(0, 400, 0)));
   const fcl::Spheref sphere(1);
   for (const fcl::CCDSolverType solver :
        {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT, fcl::CCDC_RAY_SHOOTING, fcl::CCDC_POLYNOMIAL_SOLVER}) {

@@ -63,9 +63,9 @@ TEST(GjkDistances, convex) {
     const Ring ring_a = tricover::support::regular(random.integer(3, 12), random.real(0.3, 1));
     const Ring ring_b = tricover::support::regular(random.integer(3, 12), random.real(0.3, 1));
     const tricover::Polygon a({ring_a}), b({ring_b});
-    const tricover::Pose pose_a = tricover::support::pose(random.real(0, 6), 0, 0);
+    const tricover::Pose pose_a = tricover::support::turnedAndMoved(random.real(0, 6), 0, 0);
     const tricover::Pose pose_b =
-        tricover::support::pose(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
+        tricover::support::turnedAndMoved(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
     // Of unequal heights, and higher than wide: the shortest way out lies in the plane.
     const auto prism_a = tricover::support::makePrism(ring_a, 8), prism_b = tricover::support::makePrism(ring_b, 16);
 

@@ -59,7 +59,7 @@ struct Swing {
   tricover::Pose at(double time) const {
     const double wave = std::sin(frequency * time + phase);
     const tricover::Vec2 place = center + wave * reach;
-    return tricover::support::pose(heading + turn * wave, place.x(), place.y());
+    return tricover::support::turnedAndMoved(heading + turn * wave, place.x(), place.y());
   }
   /// Of points within `radius` of the moving frame's origin.
   double speed(double radius) const {
@@ -191,7 +191,7 @@ TEST(OwnMotions, splinesMeetWhatStandsStill) {
                                                                     turn(), turn(), turn());
     const fcl::Vector3d place = vector(), heading = turn();
     const auto waits =
-        std::make_shared<StaticMotion>(lifted(tricover::support::pose(heading.z(), place.x(), place.y())));
+        std::make_shared<StaticMotion>(lifted(tricover::support::turnedAndMoved(heading.z(), place.x(), place.y())));
     const auto rests =
         std::make_shared<fcl::SplineMotion<double>>(place, place, place, place, heading, heading, heading, heading);
     const fcl::ContinuousCollisionObjectd robot(polygon(), spline), other(polygon(), waits);
@@ -270,7 +270,7 @@ TEST(OwnMotions, narrowGapsTakeFewSteps) {
   for (double gap = 1e-3; gap > 1e-11; gap /= 10) {
     for (const double error : {1e-3, 1e-6, 1e-12}) {
       SCOPED_TRACE(testing::Message() << gap << ", " << error);
-      const auto begin = [&](double heading, double x) { return tricover::support::pose(heading, x, gap); };
+      const auto begin = [&](double heading, double x) { return tricover::support::turnedAndMoved(heading, x, gap); };
       fcl::ContinuousCollisionResultd result;
 
       const Handing sliding(fcl::TranslationMotion<double>(lifted(begin(0.1, -2)), lifted(begin(0.1, 2))));
@@ -338,7 +338,7 @@ TEST(OwnMotions, tightBoundsAreNotPassed) {
   };
   // Also between the directions that bounds are asked for.
   for (const double heading : {0.0, M_PI / 16, M_PI / 8, 1.0, 3.0}) {
-    const tricover::Pose start = tricover::support::pose(heading, 0, 0);
+    const tricover::Pose start = tricover::support::turnedAndMoved(heading, 0, 0);
     const double contact = time(Straight(start, start * tricover::Vec2(16, 0)), StaticMotion(lifted(start)));
     EXPECT_LE(contact, 0.5 + 1e-12) << heading;
     EXPECT_NEAR(contact, 0.5, 2e-7) << heading;

@@ -170,7 +170,7 @@ Asked askedOf(double off) {
   for (char& number : numbers) {
     const tricover::Vec2 place(random.real(-30, 30), random.real(-30, 30)), origin(off, off);
     const tricover::Polygon polygon({star(random, 12, 0.5, 2, origin)});
-    tricover::Pose pose = tricover::support::pose(random.real(0, 6), 0, 0);
+    tricover::Pose pose = tricover::support::turnedAndMoved(random.real(0, 6), 0, 0);
     pose.translation() = place - pose.linear() * origin;
     objects.push_back(std::make_shared<Object>(shapeOf(polygon), lifted(pose)));
     objects.back()->setUserData(&number);

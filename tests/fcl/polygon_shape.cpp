@@ -89,7 +89,7 @@ TEST(PolygonShape, floatBoxesOverlapWherePolygonsMeet) { expectBoxesToOverlapWhe
 
 TEST(PolygonShape, rotationThatFclTakesForTheIdentityStaysInTheBox) {
   // A bar whose tip a rotation just below FCL's threshold lifts by 0.9e-12 x 1e6; one that lies off its origin, too.
-  const tricover::Pose tiny = tricover::support::pose(0.9e-12, 0, 0);
+  const tricover::Pose tiny = tricover::support::turnedAndMoved(0.9e-12, 0, 0);
   for (const double x : {0.0, 1e6}) {
     const Shape<double> bar = rectangular(x, 0, 1e6 + 1, 1);
     ASSERT_TRUE(lifted(tiny).linear().isIdentity());
@@ -109,9 +109,10 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
     const tricover::Vec2 off(random.real(-2, 2) * ulp, random.real(-2, 2) * ulp);
     const tricover::Polygon a({star(random, 5, 0.5 * ulp, ulp)});
     const tricover::Polygon b({star(random, 5, 0.5 * ulp, ulp, off)});
-    const tricover::Pose pose_a = tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place, place);
-    const tricover::Pose pose_b =
-        tricover::support::pose(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
+    const tricover::Pose pose_a =
+        tricover::support::turnedAndMoved(random.coin() ? 0 : random.real(0, 6), place, place);
+    const tricover::Pose pose_b = tricover::support::turnedAndMoved(random.coin() ? 0 : random.real(0, 6),
+                                                                    place + random.integer(-1, 1) * ulp, place);
     const bool hit = tricover::exact::collide(a, pose_a, b, pose_b);
     EXPECT_TRUE(!hit || boxOf(shapeOf(a), pose_a).overlap(boxOf(shapeOf(b), pose_b)));
     EXPECT_TRUE(!hit || shapeOf(a)->boxAt(lifted(pose_a)).overlap(shapeOf(b)->boxAt(lifted(pose_b))));
@@ -125,7 +126,7 @@ TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
   for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
     const tricover::Polygon polygon({rectangle(-size, -size, size, size)});
     for (const double angle : {0.0, 1.0}) {
-      const tricover::Pose pose = tricover::support::pose(angle, 1, 2);
+      const tricover::Pose pose = tricover::support::turnedAndMoved(angle, 1, 2);
       const fcl::AABB<double> box = boxOf(shapeOf(polygon), pose);
       EXPECT_FALSE(box.min_.hasNaN() || box.max_.hasNaN());
       EXPECT_TRUE(box.contain(fcl::Vector3d(1, 2, 0)));

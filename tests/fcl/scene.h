@@ -51,7 +51,7 @@ fcl::Transform3<S> lifted(const tricover::Pose& pose, double z = 0) {
 /// Turned about z, and moved.
 template <typename S = double>
 fcl::Transform3<S> lifted(double angle, double x, double y, double z = 0) {
-  return lifted<S>(tricover::support::pose(angle, x, y), z);
+  return lifted<S>(tricover::support::turnedAndMoved(angle, x, y), z);
 }
 
 /// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back,

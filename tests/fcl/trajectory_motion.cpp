@@ -168,7 +168,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
     ASSERT_NO_FATAL_FAILURE(expectFirst(*a, motion_a, other, motion_b, 4000, hits, later));
     const fcl::Transform3d place = lifted(randomPose(random, 4), 0.1);
     const fcl::TranslationMotiond slides(
-        place, lifted(tricover::support::pose(0, random.real(-4, 4), random.real(-4, 4)), 0.1));
+        place, lifted(tricover::support::turnedAndMoved(0, random.real(-4, 4), random.real(-4, 4)), 0.1));
     ASSERT_NO_FATAL_FAILURE(expectFirst(*a, slides, other, motion_b, 4000, hits, later));
     const Shape<double> b = shapeOf(randomPolygon(random, 1));
     const Slide own(place, {random.real(-4, 4), random.real(-4, 4), 0});
@@ -182,7 +182,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
 /// What is in between is not met, what is there is.
 TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
   const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
-  const auto rest = [](double x) { return tricover::Motion::still(tricover::support::pose(0, x, 0)); };
+  const auto rest = [](double x) { return tricover::Motion::still(tricover::support::turnedAndMoved(0, x, 0)); };
   const TrajectoryMotiond jumps(tricover::Trajectory({{0, 0.5, rest(-9)}, {0.5, 1, rest(0)}}), 0, 1);
   const auto ask = [&](double x, double y) {
     return along(*square, jumps, *square, Slide(lifted(0, x, y), {0, -12, 0}));
@@ -196,7 +196,7 @@ TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
 
 TEST(TrajectoryMotion, MeetsAHalfspaceOnItsLastLeg) {
   const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
-  const auto here = [](double x, double y) { return tricover::support::pose(0, x, y); };
+  const auto here = [](double x, double y) { return tricover::support::turnedAndMoved(0, x, y); };
   const TrajectoryMotiond to_and_fro(
       tricover::Trajectory::through({{0, here(0, 1)}, {10, here(50, 1)}, {20, here(0, 1)}, {30, here(0, 0)}}), 0, 40);
   const fcl::Halfspaced below(fcl::Vector3d(0, 1, 0), 0);
@@ -209,7 +209,7 @@ TEST(TrajectoryMotion, MeetsAHalfspaceOnItsLastLeg) {
 
 TEST(TrajectoryMotion, IsCutAndRestsByTheClock) {
   const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
-  const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
+  const auto here = [](double x) { return tricover::support::turnedAndMoved(0, x, 0); };
   const tricover::Trajectory way = tricover::Trajectory::through({{10, here(-9)}, {20, here(1)}, {30, here(11)}});
   const auto ask = [&](double begin, double end) {
     return along(*square, TrajectoryMotiond(way, begin, end), *square,
@@ -229,7 +229,7 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   const Shape<double> square = rectangular(-0.5, -0.5, 0.5, 0.5);
   const fcl::Sphered ball(0.5);
   const auto still = [](double begin, double end, double x = 0) {
-    return tricover::Trajectory({{begin, end, tricover::Motion::still(tricover::support::pose(0, x, 0))}});
+    return tricover::Trajectory({{begin, end, tricover::Motion::still(tricover::support::turnedAndMoved(0, x, 0))}});
   };
   const auto ask = [&](const tricover::Trajectory& a, bool a_is_absent, const tricover::Trajectory& b, bool b_is_absent,
                        double begin = 0, double end = 20) {
@@ -257,7 +257,7 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   EXPECT_EQ(ask(after, false, first, true), 0);
   EXPECT_EQ(ask(after, true, after, true, 0, 35), 30);
   // It comes to the other one's place at the end, when that one is gone.
-  const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
+  const auto here = [](double x) { return tricover::support::turnedAndMoved(0, x, 0); };
   const tricover::Trajectory comes = tricover::Trajectory::through({{0, here(-19)}, {20, here(-1)}});
   EXPECT_EQ(ask(first, true, comes, true), -1);
   EXPECT_NEAR(ask(still(5, 20), true, comes, true), 20, 20 * kError);
@@ -317,7 +317,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactOfBodiesThatComeAndGo) {
 
 TEST(TrajectoryMotion, WorksForFloatAndForObjectsWithMotions) {
   const auto square = std::make_shared<PolygonShapef>(tricover::Polygon({rectangle(-0.5, -0.5, 0.5, 0.5)}));
-  const auto here = [](double x) { return tricover::support::pose(0, x, 0); };
+  const auto here = [](double x) { return tricover::support::turnedAndMoved(0, x, 0); };
   const auto comes = std::make_shared<TrajectoryMotionf>(
       tricover::Trajectory::through({{0, here(-9)}, {1, here(-9)}, {2, here(1)}}), 0, 2);
   const auto rests =
