@@ -24,10 +24,10 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
     const Ring ring = shifted(regular(64, 1), {random.real(-3, 3), random.real(-3, 3)});
     const Polygon polygon({ring});
     const double angle = random.real(0, 6.28), turn = std::pow(10, random.real(-6, 0)), way = turn * random.unit();
-    const Pose before = pose(angle, 1, 2);
+    const Pose before = turnedAndMoved(angle, 1, 2);
     const Vec2 center = before * polygon.origin();
-    Pose after = pose(angle + turn, 0, 0);
-    if (i % 5 == 0) after = mirrored(pose(random.real(0, 6.28), 0, 0));
+    Pose after = turnedAndMoved(angle + turn, 0, 0);
+    if (i % 5 == 0) after = mirrored(turnedAndMoved(random.real(0, 6.28), 0, 0));
     if (i % 5 == 1) after = distorted(random, before);
     const double direction = random.real(0, 6.28);
     after.translation() =
@@ -54,10 +54,10 @@ TEST(Recollection, CountsTheMotionOfBoth) {
   const auto ask = [&](double x_a, double x_b, bool truth) {
     for (const bool swapped : {false, true}) {
       PairCache cache;
-      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), pose(0, 3, 0), false,
-                       0.99);
-      const bool answer = swapped ? collide(b, pose(0, x_b, 0), a, pose(0, x_a, 0), cache)
-                                  : collide(a, pose(0, x_a, 0), b, pose(0, x_b, 0), cache);
+      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(),
+                       turnedAndMoved(0, 3, 0), false, 0.99);
+      const bool answer = swapped ? collide(b, turnedAndMoved(0, x_b, 0), a, turnedAndMoved(0, x_a, 0), cache)
+                                  : collide(a, turnedAndMoved(0, x_a, 0), b, turnedAndMoved(0, x_b, 0), cache);
       EXPECT_EQ(answer, truth) << x_a << " " << x_b;
     }
   };
@@ -73,7 +73,7 @@ TEST(Recollection, CountsTheMotionOfBoth) {
 /// Both moved by the same, and b mirrored besides, which the sum of its matrices would hide.
 TEST(Recollection, CountsAMirrorOfTheRelativePose) {
   const Polygon a({rectangle(-5, -1, -2, 1)}), b({rectangle(1, -0.5, 3, 0.5)});
-  Pose flipped = pose(0, 0, 1);
+  Pose flipped = turnedAndMoved(0, 0, 1);
   flipped.linear() << -1, 0, 0, 1;
   for (const bool swapped : {false, true}) {
     PairCache cache;
@@ -83,15 +83,15 @@ TEST(Recollection, CountsAMirrorOfTheRelativePose) {
     detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), Pose::Identity(), false,
                      2.99);
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
+    EXPECT_TRUE(ask(turnedAndMoved(0, 0, 1), flipped));
     EXPECT_FALSE(ask(Pose::Identity(), Pose::Identity()));
-    EXPECT_TRUE(ask(pose(0, 0, 1), flipped));
+    EXPECT_TRUE(ask(turnedAndMoved(0, 0, 1), flipped));
   }
 }
 
 TEST(SameAs, SeesEveryEntry) {
   double certificate[6];
-  const Pose stored = pose(0.3, 7, -1e-300);
+  const Pose stored = turnedAndMoved(0.3, 7, -1e-300);
   detail::store(certificate, stored);
   EXPECT_TRUE(detail::sameAs(certificate, stored));
   for (int row = 0; row < 2; ++row) {
@@ -118,7 +118,7 @@ TEST(SameAs, SeesEveryEntry) {
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
   detail::Certificate cache;
-  detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
+  detail::remember(cache, a.data(), turnedAndMoved(0, 1, 2), b.data(), turnedAndMoved(0, 3, 4), true, 5);
   cache.first_edge = cache.second_edge = 3;
   detail::claim(cache, a.data(), b.data());
   EXPECT_EQ(cache.first_edge, 3u);
@@ -158,7 +158,8 @@ struct Walk {
   void ask(double x, double y) {
     const std::uint32_t uses = certificate().uses;
     const bool rests = certificate().back_off.isOn();
-    EXPECT_EQ(collide(a, Pose::Identity(), b, pose(0, x, y), cache), collide(a, Pose::Identity(), b, pose(0, x, y)));
+    EXPECT_EQ(collide(a, Pose::Identity(), b, turnedAndMoved(0, x, y), cache),
+              collide(a, Pose::Identity(), b, turnedAndMoved(0, x, y)));
     answered += certificate().uses > uses;
     rested += rests;
   }
@@ -200,7 +201,7 @@ TEST(BackOff, EndsWithThePoses) {
   walk.ask(4.1, 0.021);
   EXPECT_FALSE(walk.certificate().back_off.isOn());
   EXPECT_EQ(walk.certificate().clearance, 0);
-  const Pose last = pose(0, 4.1, 0.021);
+  const Pose last = turnedAndMoved(0, 4.1, 0.021);
   EXPECT_TRUE(detail::sameAs(
       walk.certificate().first_id == walk.a.id() ? walk.certificate().second_pose : walk.certificate().first_pose,
       last));

@@ -214,7 +214,7 @@ TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
   const Polygon box({rectangle(-14, -14, 14, 14)});
   for (const double length : {1e-11, 1e-3, 1.0}) {
     const Polygon needle({{{-length, 0}, {0, -1e-27}, {length, 0}, {0, 1e-27}}});
-    const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, pose(0, 10.25, 4.5));
+    const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].normal, Vec2(1, 0));
     EXPECT_NEAR(found[0].depth, 3.75 + length, 1e-14);

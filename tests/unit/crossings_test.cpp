@@ -48,8 +48,8 @@ TEST(Crossings, OfTwoSquares) {
 TEST(Crossings, AreNoneInAContainmentOrApart) {
   const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(1, 1, 3, 3)});
   EXPECT_TRUE(ask(a, kHere, b, kHere).empty());
-  EXPECT_TRUE(ask(a, kHere, b, pose(0, 100, 0)).empty());
-  EXPECT_TRUE(ask(a, kHere, b, pose(0, 3 + 1e-15, 0)).empty());
+  EXPECT_TRUE(ask(a, kHere, b, turnedAndMoved(0, 100, 0)).empty());
+  EXPECT_TRUE(ask(a, kHere, b, turnedAndMoved(0, 3 + 1e-15, 0)).empty());
 }
 
 TEST(Crossings, AreNumberedThroughTheRings) {
@@ -87,7 +87,7 @@ TEST(Crossings, OfARepeatedVertexAreItsEdgesWithALength) {
 TEST(Crossings, AreInTheWorldAtEveryScale) {
   for (const double s : {1e-300, 1.0, 1e300}) {
     const Polygon a({scaled(rectangle(0, 0, 4, 4), s)}), b({scaled(rectangle(0, 0, 2, 2), s)});
-    const auto found = ask(a, pose(0, 10 * s, 20 * s), b, pose(0, 13 * s, 21 * s));
+    const auto found = ask(a, turnedAndMoved(0, 10 * s, 20 * s), b, turnedAndMoved(0, 13 * s, 21 * s));
     ASSERT_EQ(found.size(), 2u);
     expectCrossing(found[0], 1, 0, Vec2(14, 21) * s, s);
     expectCrossing(found[1], 1, 2, Vec2(14, 23) * s, s);
@@ -118,7 +118,7 @@ TEST(Crossings, RefuseWhatCollideRefuses) {
 TEST(Crossings, WithAMarginAreOfEdgesWithinIt) {
   const Polygon square({rectangle(0, 0, 4, 4)});
   const auto beside = [&](double x, double margin) {
-    return crossings(square, Pose::Identity(), square, pose(0, x, 1), {margin});
+    return crossings(square, Pose::Identity(), square, turnedAndMoved(0, x, 1), {margin});
   };
   EXPECT_TRUE(beside(5, 0.5).empty());
   EXPECT_TRUE(beside(5, nudged(1, -1)).empty());

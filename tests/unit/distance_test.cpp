@@ -25,7 +25,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Polygon square(double size) { return Polygon({scaled(rectangle(0, 0, 1, 1), size)}); }
 
-Pose at(double x, double y) { return pose(0, x, y); }
+Pose at(double x, double y) { return turnedAndMoved(0, x, y); }
 
 /// Between the corners (1, 1) and (4, 5).
 TEST(Distance, ThreeFourFiveAtEverySize) {
@@ -212,7 +212,7 @@ TEST(DistanceCache, KeepsTheHintOfOnePair) {
   const Polygon a({regular(40, 3), regular(5, 1)}), b({regular(30, 1)}), c({regular(30, 1)});
   PairCache cache;
   for (int i = 0; i < 1000; ++i) {
-    const Pose pose_b = pose(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
+    const Pose pose_b = turnedAndMoved(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
     ASSERT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
     EXPECT_FALSE(hintOf(cache).back_off.isOn()) << i;
   }
@@ -226,7 +226,7 @@ TEST(DistanceCache, BacksOffWhileHintsDoNotHelp) {
   const Polygon a({scaled(regular(40, 1), 3), regular(5, 1)}), b({regular(30, 1)});
   PairCache cache;
   const auto asks = [&](double angle) {
-    const Pose pose_b = pose(angle, 4.1 * std::cos(angle), 4.1 * std::sin(angle));
+    const Pose pose_b = turnedAndMoved(angle, 4.1 * std::cos(angle), 4.1 * std::sin(angle));
     EXPECT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
   };
   int rests = 0;
@@ -250,13 +250,15 @@ TEST(Distance, NamesTheEdgesOfDividedSides) {
     EXPECT_EQ(distance(wedge, pose_b, a, pose_a).edge_b, found.edge_a);
     return found.edge_a;
   };
-  const Pose turned = mirrored(pose(1, 3, -2));
+  const Pose turned = mirrored(turnedAndMoved(1, 3, -2));
   for (const Pose& pose_a : {Pose(Pose::Identity()), turned}) {
-    const auto edgeAt = [&](double x) { return nearestEdge(square, pose_a, pose_a * pose(0, x, 2.5)); };
+    const auto edgeAt = [&](double x) { return nearestEdge(square, pose_a, pose_a * turnedAndMoved(0, x, 2.5)); };
     EXPECT_EQ(edgeAt(1.5), 4);
     EXPECT_EQ(edgeAt(0.5), 6);
     EXPECT_EQ(edgeAt(0.125), 7);
-    const auto edgeBack = [&](double x) { return nearestEdge(reversed(square), pose_a, pose_a * pose(0, x, 2.5)); };
+    const auto edgeBack = [&](double x) {
+      return nearestEdge(reversed(square), pose_a, pose_a * turnedAndMoved(0, x, 2.5));
+    };
     EXPECT_EQ(edgeBack(1.5), 4);
     EXPECT_EQ(edgeBack(0.5), 2);
   }
@@ -288,7 +290,8 @@ TEST(Distance, OfRingsSqueezedFlatIsThatOfTheirNearestEdges) {
     };
     const Ring ring_a = flatRing(), ring_b = flatRing();
     const double angle = random.real(0, 3), gap = flat * random.real(2, 2.01);
-    const Pose pose_a = pose(angle, 0, 0), pose_b = pose(angle, -std::sin(angle) * gap, std::cos(angle) * gap);
+    const Pose pose_a = turnedAndMoved(angle, 0, 0),
+               pose_b = turnedAndMoved(angle, -std::sin(angle) * gap, std::cos(angle) * gap);
     double least = kInfinity;
     for (std::size_t i = 0; i < ring_a.size(); ++i)
       for (std::size_t j = 0; j < ring_b.size(); ++j) {

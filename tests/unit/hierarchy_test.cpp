@@ -213,7 +213,7 @@ TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   ASSERT_GT(discs.count, 0);
   for (int k = 0; k < discs.count; ++k)
     EXPECT_EQ(locate(frame, {discs.x[k] * frame.data().unit, discs.y[k] * frame.data().unit}), Location::Inside);
-  EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
+  EXPECT_FALSE(collide(frame, Pose::Identity(), peg, turnedAndMoved(0, 0.3, 0.2)));
 }
 
 /// Nor is a disc taken for inside because of another one that it doesn't meet.

@@ -30,7 +30,7 @@ Polygon fan(int triangles, double side) {
 /// The apexes pass by each other while one fan turns: a million pairs of edges are a hair apart, all the time.
 TEST(ImpactBudget, EndsWithTheProvenTime) {
   const Polygon left = fan(400, -1), right = fan(400, 1);
-  Motion up = Motion::translation(pose(0, 1e-9, -1e-4), {0, 1e-3});
+  Motion up = Motion::translation(turnedAndMoved(0, 1e-9, -1e-4), {0, 1e-3});
   up.angle = 0.1;
   const auto impact = timeOfImpact(left, kStill, right, up);
   ASSERT_TRUE(impact.has_value());
@@ -53,7 +53,7 @@ TEST(ImpactBudget, EndsWithTheProvenTime) {
 /// points of both ends of a step tell that the contact lasts.
 TEST(ImpactBudget, LastsWhereAnOverlapStaysExactlyAsDeepAsIsAllowed) {
   const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
-  const Motion beside = Motion::translation(pose(0, 1.875, -0.5), {0, 1});
+  const Motion beside = Motion::translation(turnedAndMoved(0, 1.875, -0.5), {0, 1});
   for (const Polygon& a : {notched, kSquare}) {
     EXPECT_FALSE(timeOfImpact(a, kStill, kSquare, beside, {-0.125, 0, true}).has_value());
     const std::vector<Conflict> all = conflicts(a, kStill, kSquare, beside, {-0.125, 0});
@@ -69,7 +69,8 @@ TEST(ImpactBudget, LastsWhereAnOverlapStaysExactlyAsDeepAsIsAllowed) {
 TEST(ImpactBudget, LastsForExtremeRatios) {
   const Polygon hole = box(1, 1).complement();
   for (const double far : {1e60, 1e100, 1e150, 1e300}) {
-    const std::vector<Conflict> all = conflicts(hole, kStill, box(1, 1), Motion::translation(pose(0, 0, 0), {0, far}));
+    const std::vector<Conflict> all =
+        conflicts(hole, kStill, box(1, 1), Motion::translation(turnedAndMoved(0, 0, 0), {0, far}));
     ASSERT_EQ(all.size(), 1u) << far;
     EXPECT_EQ(all[0].impact.time, 0);
     EXPECT_EQ(all[0].end, 1);
@@ -77,7 +78,7 @@ TEST(ImpactBudget, LastsForExtremeRatios) {
   }
   for (const double size : {1e-30, 1e-70, 1e-150, 1e-300}) {
     const Polygon speck({{{0, 0}, {size, 0}, {size, size}, {0, size}}});
-    const auto all = conflicts(kSquare, kStill, speck, Motion::translation(pose(0, -2, 1), {8, 0}));
+    const auto all = conflicts(kSquare, kStill, speck, Motion::translation(turnedAndMoved(0, -2, 1), {8, 0}));
     ASSERT_EQ(all.size(), 1u) << size;
     EXPECT_NEAR(all[0].end, 0.375, 1e-6);
     EXPECT_FALSE(all[0].budget_ended) << size;
@@ -89,7 +90,7 @@ TEST(ImpactBudget, LeavesOutAContactThatIsNoImpact) {
   const Polygon notched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
   int without = 0;
   for (double off = 1e-13; off < 1e-10; off *= 1.5) {
-    const Motion beside = Motion::translation(pose(0, 1.875 + off, -0.5), {0, 1});
+    const Motion beside = Motion::translation(turnedAndMoved(0, 1.875 + off, -0.5), {0, 1});
     const ImpactOptions options{-0.125, 0, true};
     if (timeOfImpact(notched, kStill, kSquare, beside, {-0.125, 0})) continue;
     ++without;

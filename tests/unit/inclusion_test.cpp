@@ -125,9 +125,9 @@ TEST(Inclusion, AlongARayUnderPoses) {
   const Polygon few = Polygon({rectangle(-1, -1, 1, 1)});
   checkPoints(1000, 1000, 6, false, [&](Random& random, const Polygon& polygon, double, int, Tally& points) {
     const Vec2 shift = std::pow(10, random.integer(0, 17)) * Vec2(random.real(-1, 1), random.real(-1, 1));
-    const Pose pose_a = pose(random.real(0, 6.28), shift.x(), shift.y());
+    const Pose pose_a = turnedAndMoved(random.real(0, 6.28), shift.x(), shift.y());
     const Vec2 at = pose_a * somePoint(random, polygon, 1);
-    const Pose pose_b = pose(random.real(0, 6.28), at.x(), at.y());
+    const Pose pose_b = turnedAndMoved(random.real(0, 6.28), at.x(), at.y());
     const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
     const Vec2 p(0, random.coin() ? 0 : 1e-17);
     points.locate(polygon, detail::seenFromA(pair, p));

@@ -110,8 +110,8 @@ double leastDistance(const PosedPair& pair, const Found& found) {
 /// Two boxes whose sides face each other: no feature alone is the nearest.
 Case sideBySide(Random& random) {
   const Polygon box({rectangle(0, 0, 2, 2)});
-  const Pose at = pose(random.real(0, 6.3), random.real(-1, 1), 0);
-  return {box, at, box, at * pose(0, 2 + random.real(0, 1), random.real(-1.5, 1.5))};
+  const Pose at = turnedAndMoved(random.real(0, 6.3), random.real(-1, 1), 0);
+  return {box, at, box, at * turnedAndMoved(0, 2 + random.real(0, 1), random.real(-1.5, 1.5))};
 }
 
 TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
@@ -262,7 +262,7 @@ TEST(NearestFeatures, LooksAtEdgesBeforeAndBehindAVertex) {
       for (Vec2& p : ring) p.x() *= side;
     const Polygon a({rings[0]}), b({rings[1]});
     const Pose still = Pose::Identity();
-    Pose turned = pose(0.3 * side, 0, 0);  // so that two vertices are the nearest
+    Pose turned = turnedAndMoved(0.3 * side, 0, 0);  // so that two vertices are the nearest
     turned.translation() = above[0] - turned * above[0];
     PairCache cache;
     EXPECT_NEAR(distance(a, still, b, turned, cache).distance, 0.0008, 1e-12);
@@ -276,7 +276,7 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   const Polygon square({rectangle(0, 0, 1, 1)}), many({regular(17, 1)}), notched({{{0, 0}, {2, 0}, {1, 0.5}, {0, 2}}});
   const Polygon straight({{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}}}), flat({{{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}});
   const auto shows = [](const Polygon& a, const Polygon& b, const Vec2& shift) {
-    const Pose at_a = Pose::Identity(), at_b = pose(0, shift.x(), shift.y());
+    const Pose at_a = Pose::Identity(), at_b = turnedAndMoved(0, shift.x(), shift.y());
     return nearestOf(PosedPair(a.data(), at_a, b.data(), at_b)).meeting;
   };
   constexpr Meeting kApart = Meeting::Apart, kUnknown = Meeting::Unknown;
@@ -315,7 +315,7 @@ TEST(NearestFeatures, GoesOnAlongBothOutlines) {
   FeaturePair tried;
   int were_tried = 0;
   for (int i = 0; i < 200; ++i) {
-    const Pose here = Pose::Identity(), there = pose(-0.013 * i, -1.0 + 0.01 * i, 1.01);
+    const Pose here = Pose::Identity(), there = turnedAndMoved(-0.013 * i, -1.0 + 0.01 * i, 1.01);
     const PosedVertices vertices(PosedPair(floor.data(), here, wheel.data(), there));
     const NearestFeatures nearest = findNearestFeatures(vertices, tried);
     ASSERT_TRUE(nearest.are_apart) << i;

@@ -102,8 +102,8 @@ TEST(NegativeMargin, AgreesWithDepth) {
   for (int i = 0; i < cases; ++i) {
     const auto any = [&] { return Polygon(random.coin() ? anyConvex(random, 1, 12) : star(random, 9, 0.4, 1.2)); };
     const Polygon a = any(), b = any();
-    const Pose pose_a = support::pose(random.real(0, 6), 0, 0),
-               pose_b = support::pose(random.real(0, 6), random.real(-1.3, 1.3), random.real(-1.3, 1.3));
+    const Pose pose_a = support::turnedAndMoved(random.real(0, 6), 0, 0),
+               pose_b = support::turnedAndMoved(random.real(0, 6), random.real(-1.3, 1.3), random.real(-1.3, 1.3));
     const double depth = tricover::depth(a, pose_a, b, pose_b).upper_bound, overlap = random.real(0.01, 0.7);
     deep += depth >= overlap;
     EXPECT_EQ(deeper(overlap, a, pose_a, b, pose_b), depth >= overlap) << i;
