@@ -248,7 +248,7 @@ std::vector<Pose> askedPoses(double size, bool path) {
     } else {
       x = random.real(0, size), y = random.real(0, size), angle = random.real(-3, 3);
     }
-    poses.push_back(support::pose(angle, x, y));
+    poses.push_back(support::turnedAndMoved(angle, x, y));
   }
   return poses;
 }
@@ -258,7 +258,7 @@ void addNearest(const std::string& name, const Polygon& body, double size, std::
   std::vector<Pose> poses;
   for (int i = 0; i < 10000; ++i) {
     const double x = random.real(0, size), y = random.real(0, size);
-    poses.push_back(support::pose(random.real(-3, 3), x, y));
+    poses.push_back(support::turnedAndMoved(random.real(-3, 3), x, y));
   }
   std::vector<BodyPlacement> placements;
   for (const Pose& pose : poses) placements.push_back({body, pose, {}});

@@ -178,11 +178,32 @@ Result measureDrives(const std::string& map, const Robot& robot, const std::stri
                        kRounds);
 }
 
+/// What is derived from a map, a vertex: by a first distance() the tree and discs, by prepare() the field, too.
+Result measureStages(const RobotMap& map) {
+  const Polygon walls = outline(map.map.grid).value(), small = box(1, 1);
+  const auto count = static_cast<double>(walls.vertexCount());
+  Result result{{"field", map.name, "made ready, a vertex", walls.vertexCount(), 0, 1}};
+  const auto enter = [&](const char* name, auto makeReady) {
+    const Polygon fresh(walls.rings(), walls.fillRule());
+    const std::size_t before = heapBytes();
+    const double start = threadSeconds();
+    makeReady(fresh);
+    const double seconds = threadSeconds() - start;
+    result.timings.push_back({name + std::string(", ns"), Role::Ours, 1e9 * seconds / count});
+    const auto bytes = static_cast<double>(heapBytes() - before);
+    result.timings.push_back({name + std::string(", bytes"), Role::Ours, bytes / count});
+  };
+  enter("a first distance", [&](const Polygon& fresh) { distance(fresh, kStill, small, kStill); });
+  enter("prepare", [](const Polygon& fresh) { prepare(fresh); });
+  return result;
+}
+
 }  // namespace
 
 std::vector<Result> measureRobots() {
   std::vector<Result> results;
-  for (const RobotMap& map : robotMaps())
+  for (const RobotMap& map : robotMaps()) {
+    results.push_back(measureStages(map));
     for (const double half : {0.25, 0.4, 1.1}) {
       const Robot robot(map, half);
       const std::string size = std::to_string(half).substr(0, 4);
@@ -191,6 +212,7 @@ std::vector<Result> measureRobots() {
           measurePoses(map.name, robot, "free, near a wall, " + size + " m", robot.poses(kQueries, true)));
       results.push_back(measureDrives(map.name, robot, "drives 5 m, " + size + " m"));
     }
+  }
   return results;
 }
 

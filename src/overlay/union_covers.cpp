@@ -37,9 +37,9 @@ class ShareSearch {
         pair_(area_is_first_ ? back_ : given_),
         margin_(margin) {}
 
-  /// `asks_for_all`: None may be called Some. Then the first ring's start, which is cheap, often ends the search.
+  /// `asks_for_all`: None may be called Some. Then a vertex, which is cheap, often ends the search.
   Share find(bool asks_for_all) {
-    const bool starts_inside = asks_for_all && holdsStart(0);
+    const bool starts_inside = asks_for_all && holds(farthestOfFour());
     if (asks_for_all && !starts_inside) return Share::Some;
     const UnitMap at = pair_.inUnits();
     const double reach = at.reach(margin_);
@@ -52,8 +52,19 @@ class ShareSearch {
   }
 
  private:
-  bool holdsStart(std::size_t ring) const {
-    return locateInA(back_, given_.a.path[given_.a.edgeBegin(ring)]) != Location::Outside;
+  bool holds(EdgePosition vertex) const { return locateInA(back_, given_.a.path[vertex]) != Location::Outside; }
+
+  /// Of four around the part's first ring, the vertex farthest from the area's S.
+  EdgePosition farthestOfFour() const {
+    const EdgePosition size = given_.a.edgeEnd(0);
+    EdgePosition farthest = 0;
+    double most = -1;
+    for (EdgePosition k = 0; k < 4; ++k) {
+      const EdgePosition vertex = k * size / 4;
+      const Double2 way = back_.way(back_.a.origin, back_.b.path[vertex]);
+      if (const double square = dot(way, way); square > most) most = square, farthest = vertex;
+    }
+    return farthest;
   }
 
   /// All of an edge's ring is a border, or nothing is known.
@@ -69,7 +80,7 @@ class ShareSearch {
   Share shareOfRings(bool starts_inside) const {
     const PolygonData& part = given_.a;
     std::size_t inside = starts_inside;
-    for (std::size_t ring = inside; ring < part.ringCount(); ++ring) inside += holdsStart(ring);
+    for (std::size_t ring = inside; ring < part.ringCount(); ++ring) inside += holds(part.edgeBegin(ring));
     const EdgePosition hole = part.isDegenerate() ? kNoEdge : ringInside(given_);
     if (hole != kNoEdge) return isBorder(hole) ? Share::Some : Share::Unsure;
     return inside == part.ringCount() ? Share::All : inside == 0 ? Share::None : Share::Some;

@@ -73,7 +73,8 @@ Bounds boundsOfEdge(const PolygonData& polygon, EdgePosition edge, const Pose& p
 
 Bounds boundsOf(const PolygonData& polygon, const Pose& pose, double reach) {
   if (polygon.fill.is_complement) return {-kInfinity, -kInfinity, kInfinity, kInfinity};
-  if (polygon.path.size() <= kFewVertices) return boundsOfVertices(polygon, 0, polygon.path.size(), pose, reach);
+  // The last one is the first again.
+  if (polygon.path.size() <= kFewVertices) return boundsOfVertices(polygon, 0, polygon.path.size() - 1, pose, reach);
   const double* m = pose.data();  // columns of three
   const Double2 r0 = load2(m), r1 = load2(m + 3), t = load2(m + 6);
   Double2 least = kInfinity - Double2{}, most = -least;

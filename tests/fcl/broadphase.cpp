@@ -87,8 +87,8 @@ TEST(Broadphase, randomScene) {
   Scene scene;
   for (int i = 0; i < 60; ++i) {
     const double angle = random.oneIn(3) ? 0 : random.real(0, 6);
-    scene.add(randomPolygon(random, random.real(1, 5)), pose(angle, random.real(-15, 15), random.real(-15, 15)),
-              random.oneIn(8) ? 0.5 : 0);
+    scene.add(randomPolygon(random, random.real(1, 5)),
+              turnedAndMoved(angle, random.real(-15, 15), random.real(-15, 15)), random.oneIn(8) ? 0.5 : 0);
   }
   std::size_t boxes = 0;
   for (const auto& p : scene)
@@ -103,7 +103,7 @@ TEST(Broadphase, randomScene) {
 TEST(Broadphase, touchingGrid) {
   // Boxes that share their bounds exactly: what a manager that sorts end points has to break ties over.
   Scene scene;
-  for (int i = 0; i < 36; ++i) scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0, i / 6, i % 6));
+  for (int i = 0; i < 36; ++i) scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, i / 6, i % 6));
   const std::size_t hits = expectAgreement(scene, 3, [&] {
     for (const auto& object : scene) object->setTranslation(2 * object->getTranslation());
   });
@@ -113,8 +113,8 @@ TEST(Broadphase, touchingGrid) {
 TEST(Broadphase, tinyRotationsCountToo) {
   // The rotation that FCL's box leaves out lifts the bar's tip into the square above it.
   Scene scene;
-  scene.add(Polygon({rectangle(0, 0, 1e6, 1)}), pose(0.9e-12, 0, 0));
-  scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 1e6 - 1, 1 + 8e-7));
+  scene.add(Polygon({rectangle(0, 0, 1e6, 1)}), turnedAndMoved(0.9e-12, 0, 0));
+  scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 1e6 - 1, 1 + 8e-7));
   EXPECT_EQ(expectAgreement(scene, 3, [&] { scene[0]->setRotation(fcl::Matrix3d::Identity()); }), 1u);
   EXPECT_EQ(scene.pairs().size(), 0u);
 }
@@ -178,9 +178,9 @@ TEST(Broadphase, heights) {
 
 TEST(Broadphase, complement) {
   Scene scene;
-  scene.add(Polygon({rectangle(-5, -5, 5, 5), rectangle(2, 2, 3, 3)}).complement(), pose(0.5, 1, 0));
+  scene.add(Polygon({rectangle(-5, -5, 5, 5), rectangle(2, 2, 3, 3)}).complement(), turnedAndMoved(0.5, 1, 0));
   for (int i = 0; i < 40; ++i)
-    scene.add(Polygon({rectangle(-0.5, -0.5, 0.5, 0.5)}), pose(0.1 * i, 4.0 * i - 80, 0.7 * i - 14));
+    scene.add(Polygon({rectangle(-0.5, -0.5, 0.5, 0.5)}), turnedAndMoved(0.1 * i, 4.0 * i - 80, 0.7 * i - 14));
   const std::size_t hits = expectAgreement(scene, 1, [] {});
   EXPECT_GT(hits, 30u);
   EXPECT_LT(hits, 40u);
@@ -195,7 +195,7 @@ TEST(Broadphase, octree) {
     SCOPED_TRACE(name);
     Scene polygons;
     for (const double x : {-10.0, -2.9, 1.25, 2.2})
-      polygons.add(Polygon({rectangle(-0.2, -0.2, 0.2, 0.2)}), pose(0, x, x), 0.25);
+      polygons.add(Polygon({rectangle(-0.2, -0.2, 0.2, 0.2)}), turnedAndMoved(0, x, x), 0.25);
     manager->registerObjects(pointers(polygons));
     manager->setup();
     fcl::CollisionObjectd tree(test::octree());
@@ -253,7 +253,7 @@ TEST(Broadphase, leastDistances) {
 
 TEST(Broadphase, callbackStopsAsFclsDoes) {
   Scene scene;
-  for (int i = 0; i < 5; ++i) scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 0.1 * i, 0));
+  for (int i = 0; i < 5; ++i) scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 0.1 * i, 0));
   fcl::NaiveCollisionManagerd manager;
   manager.registerObjects(pointers(scene));
   manager.setup();

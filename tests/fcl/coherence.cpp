@@ -30,7 +30,7 @@ TEST(Coherence, walksAnswerAsColdQueriesInEitherOrder) {
       for (std::size_t i = 0; i < 3; ++i) {
         angle[i] += stride * random.real(-1, 1);
         place[i] = 0.999 * place[i] + stride * Vec2(random.real(-1, 1), random.real(-1, 1));
-        objects[i].setTransform(lifted(pose(angle[i], place[i].x(), place[i].y())));
+        objects[i].setTransform(lifted(turnedAndMoved(angle[i], place[i].x(), place[i].y())));
       }
       for (std::size_t i = 0; i < 3; ++i) {
         const fcl::CollisionObjectd *a = &objects[i], *b = &objects[(i + 1) % 3];
@@ -181,7 +181,8 @@ TEST(Coherence, aPairKeepsItsCacheWhileTheTableGrows) {
     Random random(19);
     const Polygon a = randomPolygon(random, 1), b = randomPolygon(random, 1);
     const auto slot = [](std::uintptr_t k) { return slotOf(id(1), place(k), id(2), nullptr); };
-    for (std::uintptr_t k = 0; k < 64; ++k) tricover::collide(a, Pose::Identity(), b, pose(0, 9, 0), *slot(k));
+    for (std::uintptr_t k = 0; k < 64; ++k)
+      tricover::collide(a, Pose::Identity(), b, turnedAndMoved(0, 9, 0), *slot(k));
     int kept = 0;
     for (std::uintptr_t k = 0; k < 64; ++k) {
       const auto& certificate = tricover::detail::contentsOf(*slot(k)).collision;

@@ -286,7 +286,7 @@ TEST(Continuous, aTrajectoryMotionBesideFclsOwnPairsIsSampledOrRefused) {
   const fcl::Boxd box(1, 1, 1);
   for (const double x : {0.0, 9.0}) {
     const auto still = [x](double begin, double end) {
-      return tricover::Trajectory({{begin, end, tricover::Motion::still(pose(0, x, 0))}});
+      return tricover::Trajectory({{begin, end, tricover::Motion::still(turnedAndMoved(0, x, 0))}});
     };
     for (const fcl::CCDSolverType solver :
          {fcl::CCDC_NAIVE, fcl::CCDC_CONSERVATIVE_ADVANCEMENT, fcl::CCDC_POLYNOMIAL_SOLVER}) {

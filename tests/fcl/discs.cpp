@@ -32,7 +32,8 @@ fcl::DistanceResult<S> distanceOf(const Shape<S>& a, const fcl::Transform3<S>& t
 /// Turned about z, mirrored or upside down, by rounded numbers, and tilted within the tolerance.
 template <typename S>
 fcl::Transform3<S> randomPlace(Random& random, double size) {
-  Pose pose = tricover::support::pose(random.real(-4, 4), size * random.real(-1, 1), size * random.real(-1, 1));
+  Pose pose =
+      tricover::support::turnedAndMoved(random.real(-4, 4), size * random.real(-1, 1), size * random.real(-1, 1));
   if (random.oneIn(4)) pose = mirrored(pose);
   fcl::Transform3<S> place = lifted<S>(pose, random.real(-0.4, 0.4));
   if (random.oneIn(4)) place.matrix()(2, 2) = -1;

@@ -59,6 +59,7 @@ void expectRow(const Row& row) {
         expectPoint(on_a, row.on_a, row.error);
         expectPoint(on_b, row.on_b, row.error);
         EXPECT_NEAR((on_a - on_b).stableNorm(), row.distance, row.error);
+        EXPECT_TRUE(row.distance > 0 || on_a == on_b);
       } else {  // a point that both have
         EXPECT_EQ(on_a, on_b);
         EXPECT_FALSE(on_a.x() < row.on_b.x() - row.error || on_a.x() > row.on_a.x() + row.error) << on_a.x();
@@ -67,6 +68,7 @@ void expectRow(const Row& row) {
       const auto depth = ask(true);
       EXPECT_NEAR(depth.min_distance, row.with_sign, row.distance < 0 ? 1e-12 : 0);
       EXPECT_EQ(depth.min_distance < 0, row.distance < 0);
+      EXPECT_TRUE(row.distance != 0 || depth.nearest_points[0] == depth.nearest_points[1]);
       if (row.distance < 0 && solver == fcl::GST_INDEP) continue;  // puts their middle in place of both
       expectPoint(depth.nearest_points[swapped], row.on_a, row.error);
       expectPoint(depth.nearest_points[!swapped], row.on_b, row.error);

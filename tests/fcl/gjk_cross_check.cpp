@@ -62,7 +62,8 @@ bool anyPrismsMeet(Solver solver, const Prisms& a, const Transform& tf_a, const 
 
 /// Where `b`, coming from afar along x, is at the last place before it meets `a`, as far as doubles can tell.
 Case nearlyTouching(const Shaped& a, const Shaped& b, Random& random) {
-  Case c{a.polygon, pose(random.real(0, 6), 0, 0), b.polygon, pose(random.real(0, 6), 0, random.real(-0.5, 0.5))};
+  Case c{a.polygon, turnedAndMoved(random.real(0, 6), 0, 0), b.polygon,
+         turnedAndMoved(random.real(0, 6), 0, random.real(-0.5, 0.5))};
   double meets = 0, apart = 4;
   while (apart - meets > 1e-15) {
     const double middle = 0.5 * (meets + apart);

@@ -52,8 +52,8 @@ TEST(GjkDistances, convex) {
     };
     const Ring ring_a = ring(), ring_b = ring();
     const Polygon a({ring_a}), b({ring_b});
-    const Pose pose_a = pose(random.real(0, 6), 0, 0);
-    const Pose pose_b = pose(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
+    const Pose pose_a = turnedAndMoved(random.real(0, 6), 0, 0);
+    const Pose pose_b = turnedAndMoved(random.real(0, 6), random.real(-1.5, 1.5), random.real(-1.5, 1.5));
     // Of unequal heights, and higher than wide: the shortest way out lies in the plane.
     const auto prism_a = tricover::support::makePrism(ring_a, 8), prism_b = tricover::support::makePrism(ring_b, 16);
 

@@ -230,8 +230,11 @@ TEST(MixedContact, hasNormalDepthAndPlace) {
       }
     }
   }
-  EXPECT_EQ(contactsOf(kSquare, shifted(3, 4, -0.25), halfspace, kHere, 10).size(), 1u);
-  EXPECT_EQ(contactsOf(halfspace, kHere, kSquare, shifted(3, 4, -0.25), 10).size(), 1u);
+  const auto many = contactsOf(kSquare, shifted(3, 4, -0.25), halfspace, kHere, 10),
+             swapped = contactsOf(halfspace, kHere, kSquare, shifted(3, 4, -0.25), 10);
+  ASSERT_TRUE(many.size() == 1 && swapped.size() == 1);
+  EXPECT_LT((many[0].normal + z).norm() + (swapped[0].normal - z).norm(), 1e-12);
+  EXPECT_NEAR(many[0].penetration_depth, 0.25, 1e-12);
   // The centre is at a corner, where either edge will do.
   const Vec3 at_corner = contactsOf(kSquare, kHere, sphere(0.25), shifted(1, 1, 0), 1).at(0).normal;
   EXPECT_TRUE((at_corner - x).norm() < 1e-12 || (at_corner - y).norm() < 1e-12);

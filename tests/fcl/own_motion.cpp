@@ -20,7 +20,7 @@ struct Swing {
   Pose at(double time) const {
     const double wave = std::sin(frequency * time + phase);
     const Vec2 place = center + wave * reach;
-    return pose(heading + turn * wave, place.x(), place.y());
+    return turnedAndMoved(heading + turn * wave, place.x(), place.y());
   }
   /// Of points within `radius` of the moving frame's origin.
   double speed(double radius) const {
@@ -146,7 +146,7 @@ TEST(OwnMotions, narrowGapsTakeFewSteps) {
   for (double gap = 1e-3; gap > 1e-11; gap /= 10) {
     for (const double error : {1e-3, 1e-6, 1e-12}) {
       SCOPED_TRACE(testing::Message() << gap << ", " << error);
-      const auto begin = [&](double heading, double x) { return pose(heading, x, gap); };
+      const auto begin = [&](double heading, double x) { return turnedAndMoved(heading, x, gap); };
       const Handing sliding(Slide(lifted(begin(0.1, -2)), lifted(begin(0.1, 2))));
       EXPECT_FALSE(impactOf(triangle, sliding, floor, kRests, advancing(error)).is_collide);
       EXPECT_LT(sliding.asked, 2 * 100);  // of two queries

@@ -138,7 +138,7 @@ Asked askedOf(double off) {
   for (std::size_t i = 0; i < 300; ++i) {
     const Vec2 place(random.real(-30, 30), random.real(-30, 30)), origin(off, off);
     const Polygon polygon({star(random, 12, 0.5, 2, origin)});
-    Pose there = pose(random.real(0, 6), 0, 0);
+    Pose there = turnedAndMoved(random.real(0, 6), 0, 0);
     there.translation() = place - there.linear() * origin;
     objects.push_back(std::make_shared<Object>(shapeOf(polygon), lifted(there)));
     numbers[objects.back().get()] = i;

@@ -59,7 +59,7 @@ TEST(PolygonShape, computingTheBoxAgainChangesNothing) {
 
 TEST(PolygonShape, rotationThatFclTakesForTheIdentityStaysInTheBox) {
   // A bar whose tip a rotation just below FCL's threshold lifts by 0.9e-12 x 1e6; one that lies off its origin, too.
-  const Pose tiny = pose(0.9e-12, 0, 0);
+  const Pose tiny = turnedAndMoved(0.9e-12, 0, 0);
   for (const double x : {0.0, 1e6}) {
     const Shape<double> bar = rectangular(x, 0, 1e6 + 1, 1);
     ASSERT_TRUE(lifted(tiny).linear().isIdentity());
@@ -79,8 +79,9 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
     const Vec2 off(random.real(-2, 2) * ulp, random.real(-2, 2) * ulp);
     const Polygon a({star(random, 5, 0.5 * ulp, ulp)});
     const Polygon b({star(random, 5, 0.5 * ulp, ulp, off)});
-    const Pose pose_a = pose(random.coin() ? 0 : random.real(0, 6), place, place);
-    const Pose pose_b = pose(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
+    const Pose pose_a = turnedAndMoved(random.coin() ? 0 : random.real(0, 6), place, place);
+    const Pose pose_b =
+        turnedAndMoved(random.coin() ? 0 : random.real(0, 6), place + random.integer(-1, 1) * ulp, place);
     const bool hit = tricover::exact::collide(a, pose_a, b, pose_b);
     EXPECT_TRUE(!hit || boxOf(shapeOf(a), pose_a).overlap(boxOf(shapeOf(b), pose_b)));
     EXPECT_TRUE(!hit || shapeOf(a)->boxAt(lifted(pose_a)).overlap(shapeOf(b)->boxAt(lifted(pose_b))));
@@ -91,19 +92,19 @@ TEST(PolygonShape, farOffTheBoxesStillTouch) {
 }
 
 template <typename S>
-void expectUsable(const fcl::AABB<S>& box, double widest) {
+void expectUsable(const fcl::AABB<S>& box, double half_width) {
   EXPECT_FALSE(box.min_.hasNaN() || box.max_.hasNaN());
   EXPECT_TRUE(box.contain(fcl::Vector3<S>(1, 2, 0)));
-  EXPECT_LE(static_cast<double>(box.max_.x() / 2 - box.min_.x() / 2), widest / 2);
+  EXPECT_LE(static_cast<double>(box.max_.x() / 2 - box.min_.x() / 2), half_width);
 }
 
 TEST(PolygonShape, extremeSizesGiveUsableBoxes) {
   for (const double size : {5e-324, 1e-300, 1e300, 1e308}) {
     const Polygon polygon({rectangle(-size, -size, size, size)});
     for (const double angle : {0.0, 0.5, 1.0}) {
-      expectUsable(boxOf(shapeOf(polygon), pose(angle, 1, 2)), 4 * size + 1e-15);
-      expectUsable(boxOf(shapeOf<float>(polygon), pose(angle, 1, 2)), kInfinity);
-      expectUsable(PolygonObjectd(shapeOf(polygon), lifted(angle, 1, 2)).getAABB(), 3 * size + 2e-14);
+      expectUsable(boxOf(shapeOf(polygon), turnedAndMoved(angle, 1, 2)), 2 * size + 5e-16);
+      expectUsable(boxOf(shapeOf<float>(polygon), turnedAndMoved(angle, 1, 2)), kInfinity);
+      expectUsable(PolygonObjectd(shapeOf(polygon), lifted(angle, 1, 2)).getAABB(), 1.5 * size + 1e-14);
     }
   }
 }

@@ -52,7 +52,7 @@ TEST(Registration, threadsShareShapes) {
     int count = 0;
     for (int i = 0; i < kSteps; ++i) {
       // The constructor recomputes the shared shape's box.
-      const fcl::CollisionObjectd moving(a, lifted(pose(0.01 * i, 0.01 * (i - 100 - thread), 0)));
+      const fcl::CollisionObjectd moving(a, lifted(turnedAndMoved(0.01 * i, 0.01 * (i - 100 - thread), 0)));
       const fcl::CollisionObjectd standing(b);
       fcl::CollisionResultd result;
       count += static_cast<int>(fcl::collide(&moving, &standing, fcl::CollisionRequestd(), result));

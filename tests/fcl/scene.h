@@ -30,7 +30,6 @@ using tricover::support::families;
 using tricover::support::Family;
 using tricover::support::mirrored;
 using tricover::support::nudged;
-using tricover::support::pose;
 using tricover::support::Random;
 using tricover::support::randomPose;
 using tricover::support::rectangle;
@@ -38,6 +37,7 @@ using tricover::support::regular;
 using tricover::support::reproduction;
 using tricover::support::scaledCount;
 using tricover::support::star;
+using tricover::support::turnedAndMoved;
 
 using Body = fcl::CollisionGeometryd;
 using Transform = fcl::Transform3d;
@@ -78,7 +78,7 @@ fcl::Transform3<S> lifted(const Pose& pose, double z = 0) {
 /// Turned about z, and moved.
 template <typename S = double>
 fcl::Transform3<S> lifted(double angle, double x, double y, double z = 0) {
-  return lifted<S>(pose(angle, x, y), z);
+  return lifted<S>(turnedAndMoved(angle, x, y), z);
 }
 
 /// What FCL's transform does in the plane, exactly. Not inline: where GCC 12 sees double turned into float and back,

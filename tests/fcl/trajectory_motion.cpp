@@ -21,7 +21,7 @@ Impact along(const A& a, const Motion& motion_a, const B& b, const Motion& motio
   return impactOf(a, motion_a, b, motion_b, advancing(kError));
 }
 
-Pose at(double x, double y = 0) { return pose(0, x, y); }
+Pose at(double x, double y = 0) { return turnedAndMoved(0, x, y); }
 
 /// Splines, waits and turns, by a clock that begins at any time; some of mirror images.
 tricover::Trajectory randomTrajectory(Random& random, double reach) {
@@ -122,7 +122,7 @@ TEST(TrajectoryMotion, FindsTheFirstContactBesideOtherGeometriesAndMotions) {
 
 /// What is in between is not met, what is there is.
 TEST(TrajectoryMotion, MayJumpBesideAMotionOfAnotherClass) {
-  const auto rest = [](double x) { return tricover::Motion::still(pose(0, x, 0)); };
+  const auto rest = [](double x) { return tricover::Motion::still(turnedAndMoved(0, x, 0)); };
   const TrajectoryMotiond jumps(tricover::Trajectory({{0, 0.5, rest(-9)}, {0.5, 1, rest(0)}}), 0, 1);
   const auto ask = [&](double x, double y) {
     return along(kSquare, jumps, kSquare, straight(lifted(0, x, y), {0, -12, 0}));
@@ -163,7 +163,7 @@ TEST(TrajectoryMotion, IsCutAndRestsByTheClock) {
 TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   const fcl::Sphered ball(0.5);
   const auto still = [](double begin, double end, double x = 0) {
-    return tricover::Trajectory({{begin, end, tricover::Motion::still(pose(0, x, 0))}});
+    return tricover::Trajectory({{begin, end, tricover::Motion::still(turnedAndMoved(0, x, 0))}});
   };
   const auto ask = [&](const tricover::Trajectory& a, bool a_is_absent, const tricover::Trajectory& b, bool b_is_absent,
                        double begin = 0, double end = 20) {

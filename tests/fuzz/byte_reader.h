@@ -71,8 +71,8 @@ class ByteReader {
     Pose result = Pose::Identity();
     if (kind & 1) result.linear() << 0, -1, 1, 0;
     if (kind & 2) result.linear() *= -1;
-    if ((kind & 12) == 4) result = support::pose(integer(0, 255) * 0.0246, 0, 0);
-    if ((kind & 12) == 8) result = support::throughFloat(support::pose(integer(0, 255) * 0.0246, 0, 0));
+    if ((kind & 12) == 4) result = support::turnedAndMoved(integer(0, 255) * 0.0246, 0, 0);
+    if ((kind & 12) == 8) result = support::throughFloat(support::turnedAndMoved(integer(0, 255) * 0.0246, 0, 0));
     if (kind & 16) result = support::mirrored(result);
     if (kind & 96) result.translation() = point(12);
     return result;

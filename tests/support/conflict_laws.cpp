@@ -172,7 +172,7 @@ Trajectory anyPlan(Random& random) {
   for (int i = random.integer(1, 4); i > 0; --i) {
     const double begin = time;
     time += random.real(0.1, 0.5);
-    Motion leg = Motion::still(pose(heading, at.x(), at.y()));
+    Motion leg = Motion::still(turnedAndMoved(heading, at.x(), at.y()));
     if (!random.oneIn(3)) {
       leg.shift = 2 * anywhere() - at;
       leg.angle = random.real(-2, 2);

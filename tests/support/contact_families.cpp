@@ -14,7 +14,9 @@ bool adjacent(const Vec2& p, const Vec2& q) {
   return std::nextafter(p.x(), q.x()) == q.x() && std::nextafter(p.y(), q.y()) == q.y();
 }
 
-Vec2 anyDirection(Random& random, double length) { return pose(random.real(0, 6.3), 0, 0).linear().col(0) * length; }
+Vec2 anyDirection(Random& random, double length) {
+  return turnedAndMoved(random.real(0, 6.3), 0, 0).linear().col(0) * length;
+}
 
 /// Two rings on either side of a common line, whose edges on it overlap, touch at their ends, or leave a gap.
 Case onCommonLine(Random& random, const Pose& common) {
@@ -72,9 +74,9 @@ Pose anyPose(Random& random) {
     case 0:
       return Pose::Identity();
     case 1:
-      return pose(0, random.integer(-8, 8), random.integer(-8, 8) / 8.0);
+      return turnedAndMoved(0, random.integer(-8, 8), random.integer(-8, 8) / 8.0);
     case 2: {
-      Pose quarter = pose(0, random.integer(-8, 8), random.integer(-8, 8));
+      Pose quarter = turnedAndMoved(0, random.integer(-8, 8), random.integer(-8, 8));
       quarter.linear() << 0, -1, 1, 0;
       return quarter;
     }
@@ -213,7 +215,7 @@ Case hugeBesideTiny(Random& random) {
   tiny[0] = random.coin() ? Vec2(k * 0x1p-498 * along) : Vec2(random.real(-1, 1) * 1e-150 * left);
   tiny[0] = nudged(random, tiny[0], random.integer(0, 1));
   Pose pose_b = Pose::Identity();
-  if (random.coin()) pose_b = throughFloat(pose(random.real(-0.1, 0.1), 0, 0));
+  if (random.coin()) pose_b = throughFloat(turnedAndMoved(random.real(-0.1, 0.1), 0, 0));
   return {Polygon({scaled(huge, 0x1p498)}), Pose::Identity(), Polygon({tiny}), pose_b};
 }
 
@@ -228,7 +230,7 @@ Case slivers(Random& random) {
     pose_b.translation() += pose_a.linear() * Vec2(random.real(-0.2, 0.2), random.real(-1, 2) * thin);
     return {Polygon({sliver_a}), pose_a, Polygon({sliver_b}), pose_b};
   }
-  pose_b = pose(random.real(0, 6.3), 0, 0);
+  pose_b = turnedAndMoved(random.real(0, 6.3), 0, 0);
   pose_b.translation() = pose_a.translation() - pose_b.linear() * Vec2(-1, 0);
   return atFirstContact(random, {Polygon({sliver_a}), pose_a, Polygon({sliver_b}), pose_b},
                         -2.5 * pose_a.linear().col(0), 1);
@@ -253,7 +255,7 @@ Case interlockingCombs(Random& random) {
   const double width = (pitch - gap) / 2;
   const Ring up = comb(random.integer(3, 5), pitch, width, 1);
   const Pose pose_a = anyPose(random);
-  Pose turned = pose(0, 0, 0);
+  Pose turned = turnedAndMoved(0, 0, 0);
   turned.linear() << -1, 0, 0, -1;
   turned.translation() = Vec2(pitch + width + pitch / 2, random.real(1.05, 1.9));
   const Case c{Polygon({up}), pose_a, Polygon({comb(random.integer(2, 3), pitch, width, 1)}), pose_a * turned};

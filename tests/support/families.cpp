@@ -69,7 +69,7 @@ Case largeOutlines(Random& random) {
   if (random.coin()) of_b.push_back(star(random, random.integer(3, 40), size, 2 * size));
   if (random.oneIn(3)) of_b.push_back(star(random, 5, size, 2 * size, {random.real(-20, 20), random.real(-20, 20)}));
   const Vec2 away = random.real(0, 20 + 5 * size) * direction(random.real(0, 6.28));
-  return {Polygon(of_a), Pose::Identity(), Polygon(of_b), pose(random.real(0, 6.28), away.x(), away.y())};
+  return {Polygon(of_a), Pose::Identity(), Polygon(of_b), turnedAndMoved(random.real(0, 6.28), away.x(), away.y())};
 }
 
 }  // namespace
@@ -140,8 +140,8 @@ Case tinyInCorner(Random& random) {
     cells.push_back(random.coin() ? rectangle(low.x(), low.y(), high.x(), high.y())
                                   : Ring{low, {high.x(), low.y()}, {low.x(), high.y()}});
   }
-  const Pose frame = pose(random.coin() ? 1.5707963267948966 : random.real(-3, 3), 0, 0);
-  const Pose turn = pose(random.coin() ? random.real(-1, 1) * 1e-4 : random.real(-3, 3), 0, 0);
+  const Pose frame = turnedAndMoved(random.coin() ? 1.5707963267948966 : random.real(-3, 3), 0, 0);
+  const Pose turn = turnedAndMoved(random.coin() ? random.real(-1, 1) * 1e-4 : random.real(-3, 3), 0, 0);
   return {Polygon({{{0, 0}, {far, 0}, {far, -far}, {-far, -far}, {-far, far}, {0, far}}}), frame,
           Polygon(cells, FillRule::NonZero), frame * distorted(random, turn)};
 }
@@ -153,7 +153,8 @@ bool isOneTwice(const Case& c) {
 
 Pose elsewhere(Random& random, const Case& c) {
   const double size = std::min(c.a.radius(), c.b.radius()) * (random.coin() ? 1e-3 : random.coin() ? 1e-12 : 1.0);
-  Pose result = pose(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
+  Pose result =
+      turnedAndMoved(random.real(-1, 1) * (random.coin() ? 1e-3 : 1.0), 0, 0) * c.pose_b;  // as rigid as that is
   const Vec2 moved = c.pose_b.translation() + Vec2(random.real(-size, size), random.real(-size, size));
   if (moved.allFinite()) result.translation() = moved;
   return result;

@@ -9,7 +9,7 @@ namespace tricover::support {
 namespace {
 
 Pose behind(const Pose& pose_a, const Vec2& own, double angle) {
-  Pose result = pose_a * pose(angle, 0, 0);
+  Pose result = pose_a * turnedAndMoved(angle, 0, 0);
   result.translation() = pose_a * own;
   return result;
 }
@@ -55,7 +55,7 @@ Case touchingHole(Random& random) {
   const Polygon a(ringWithHole(random, 4, 6));
   const Pose pose_a = anyPose(random);
   const Case c{a, pose_a, Polygon({anyRing(random)}), behind(pose_a, Vec2::Zero(), random.real(0, 6.3))};
-  return atFirstContact(random, c, pose(random.real(0, 6.3), 0, 0).linear().col(0) * 6, 1);
+  return atFirstContact(random, c, turnedAndMoved(random.real(0, 6.3), 0, 0).linear().col(0) * 6, 1);
 }
 
 Case containment(Random& random) {
@@ -165,7 +165,7 @@ Case smallGrid(Random& random) {
     return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
   };
   const auto gridPose = [&] {
-    Pose result = pose(0, random.integer(-2, 2), random.integer(-2, 2));
+    Pose result = turnedAndMoved(0, random.integer(-2, 2), random.integer(-2, 2));
     if (random.coin()) result.linear() << 0, -1, 1, 0;
     return random.coin() ? mirrored(result) : result;
   };

@@ -108,9 +108,7 @@ Pose pose(double xx, double xy, double x, double yx, double yy, double y) {
   return result;
 }
 
-Pose turnedAndMoved(double angle, double x, double y) { return pose(angle, x, y); }
-
-Pose pose(double angle, double x, double y) {
+Pose turnedAndMoved(double angle, double x, double y) {
   Pose result = Pose::Identity();
   result.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
   result.translation() = Vec2(x, y);
@@ -119,7 +117,7 @@ Pose pose(double angle, double x, double y) {
 
 void turn(Pose& pose, double angle) {
   const Vec2 position = pose.translation();
-  pose = support::pose(std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)) + angle, 0, 0);
+  pose = support::turnedAndMoved(std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)) + angle, 0, 0);
   pose.translation() = position;
 }
 
@@ -149,7 +147,7 @@ Pose distorted(Random& random, Pose pose) {
 }
 
 Pose randomPose(Random& random, double reach) {
-  return pose(random.real(0, kTurn), random.real(-reach, reach), random.real(-reach, reach));
+  return turnedAndMoved(random.real(0, kTurn), random.real(-reach, reach), random.real(-reach, reach));
 }
 
 double nudged(double value, int steps) {
@@ -196,7 +194,7 @@ Ring withStraightVertices(Random& random, Ring ring) {
       if (kind == 0 ? k == 4 : kind == 1 ? random.oneIn(3) : i == one) result.push_back(v + k / 8.0 * (w - v));
   }
   if (random.oneIn(4)) {
-    const Pose turned = pose(random.real(0, kTurn), 0, 0);
+    const Pose turned = turnedAndMoved(random.real(0, kTurn), 0, 0);
     for (Vec2& p : result) p = turned * p;
   }
   return result;

@@ -51,9 +51,8 @@ Polygon goneRoundOften(std::vector<Ring> rings);
 /// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
-/// The public pose(x, y, heading) with the angle first.
+/// Turned by the angle, then moved: the angle comes first, unlike that of the public pose(x, y, heading).
 Pose turnedAndMoved(double angle, double x, double y);
-Pose pose(double angle, double x, double y);
 /// By its entries, a row after the other.
 Pose pose(double xx, double xy, double x, double yx, double yy, double y);
 /// On the spot. What the rotation missed of one, or mirrored, is gone.

@@ -68,8 +68,8 @@ TEST(PenetrationSearch, ThatEndsEarlyKeepsItsLowerBoundTrue) {
   int unfinished = 0, longer = 0;
   for (int i = 0; i < cases; ++i) {
     const Polygon a({support::star(random, 24, 0.4, 1)}), b({support::star(random, 16, 0.3, 0.8)});
-    const Pose pose_a = support::pose(random.real(0, 7), 0, 0);
-    const Pose pose_b = support::pose(random.real(0, 7), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
+    const Pose pose_a = support::turnedAndMoved(random.real(0, 7), 0, 0);
+    const Pose pose_b = support::turnedAndMoved(random.real(0, 7), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
     if (!collide(a, pose_a, b, pose_b)) continue;
     for (const double margin : {0.0, 0.05}) {
       const Penetration whole = penetrationInOrder(a.data(), pose_a, b.data(), pose_b, margin);

@@ -26,10 +26,10 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
     const Ring ring = shifted(regular(64, 1), {random.real(-3, 3), random.real(-3, 3)});
     const Polygon polygon({ring});
     const double angle = random.real(0, 6.28), turn = std::pow(10, random.real(-6, 0)), way = turn * random.unit();
-    const Pose before = pose(angle, 1, 2);
+    const Pose before = turnedAndMoved(angle, 1, 2);
     const Vec2 center = before * polygon.origin();
-    Pose after = pose(angle + turn, 0, 0);
-    if (i % 5 == 0) after = mirrored(pose(random.real(0, 6.28), 0, 0));
+    Pose after = turnedAndMoved(angle + turn, 0, 0);
+    if (i % 5 == 0) after = mirrored(turnedAndMoved(random.real(0, 6.28), 0, 0));
     if (i % 5 == 1) after = distorted(random, before);
     const double direction = random.real(0, 6.28);
     after.translation() =
@@ -69,17 +69,17 @@ TEST(Recollection, CountsTheMotionOfBoth) {
                                                     {1.5, 3.1, true}, {0.6, 2.4, true}, {1.2, 3, true},
                                                     {0, 1.8, true}};
   for (const auto& [x_a, x_b, truth] : steps)
-    expect(a, b, pose(0, 3, 0), 0.99, {{pose(0, x_a, 0), pose(0, x_b, 0), truth}});
-  Pose flipped = pose(0, 0, 1);
+    expect(a, b, turnedAndMoved(0, 3, 0), 0.99, {{turnedAndMoved(0, x_a, 0), turnedAndMoved(0, x_b, 0), truth}});
+  Pose flipped = turnedAndMoved(0, 0, 1);
   flipped.linear() << -1, 0, 0, 1;
-  const Pose here = Pose::Identity(), up = pose(0, 0, 1);
+  const Pose here = Pose::Identity(), up = turnedAndMoved(0, 0, 1);
   expect(Polygon({rectangle(-5, -1, -2, 1)}), Polygon({rectangle(1, -0.5, 3, 0.5)}), here, 2.99,
          {{here, here, false}, {up, flipped, true}, {here, here, false}, {up, flipped, true}});
 }
 
 TEST(SameAs, SeesEveryEntry) {
   double certificate[6];
-  const Pose stored = pose(0.3, 7, -1e-300);
+  const Pose stored = turnedAndMoved(0.3, 7, -1e-300);
   detail::store(certificate, stored);
   EXPECT_TRUE(detail::sameAs(certificate, stored));
   for (int row = 0; row < 2; ++row)
@@ -102,7 +102,7 @@ TEST(SameAs, SeesEveryEntry) {
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
   detail::Certificate cache;
-  detail::remember(cache, a.data(), pose(0, 1, 2), b.data(), pose(0, 3, 4), true, 5);
+  detail::remember(cache, a.data(), turnedAndMoved(0, 1, 2), b.data(), turnedAndMoved(0, 3, 4), true, 5);
   cache.first_edge = cache.second_edge = 3;
   detail::claim(cache, a.data(), b.data());
   EXPECT_EQ(cache.first_edge, 3u);
@@ -142,7 +142,8 @@ struct Walk {
   void ask(double x, double y) {
     const std::uint32_t uses = certificate().uses;
     const bool rests = certificate().back_off.isOn();
-    EXPECT_EQ(collide(a, Pose::Identity(), b, pose(0, x, y), cache), collide(a, Pose::Identity(), b, pose(0, x, y)));
+    EXPECT_EQ(collide(a, Pose::Identity(), b, turnedAndMoved(0, x, y), cache),
+              collide(a, Pose::Identity(), b, turnedAndMoved(0, x, y)));
     answered += certificate().uses > uses;
     rested += rests;
   }
@@ -179,7 +180,7 @@ TEST(BackOff, EndsWithThePoses) {
   walk.ask(4.1, 0.021);
   EXPECT_FALSE(walk.certificate().back_off.isOn());
   EXPECT_EQ(walk.certificate().clearance, 0);
-  const Pose last = pose(0, 4.1, 0.021);
+  const Pose last = turnedAndMoved(0, 4.1, 0.021);
   EXPECT_TRUE(detail::sameAs(
       walk.certificate().first_id == walk.a.id() ? walk.certificate().second_pose : walk.certificate().first_pose,
       last));

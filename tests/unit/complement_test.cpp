@@ -18,7 +18,7 @@ const Pose kHere = Pose::Identity();
 const CollideOptions kOpen{0, 0, Touching::Allowed};
 
 Polygon lane() { return Polygon({rectangle(0, 0, 20, 4)}); }
-Pose at(double x, double y) { return pose(0, x, y); }
+Pose at(double x, double y) { return turnedAndMoved(0, x, y); }
 
 template <typename Call>
 void expectRefused(const char* text, const Call& call) {

@@ -25,8 +25,8 @@ constexpr double kError = 1e-4;
 
 const Polygon kSquare({rectangle(-1, -1, 1, 1)});
 const Polygon kWalls({rectangle(0, -5, 1, 5), rectangle(5, -5, 6, 5)});
-const Motion kStill = Motion::still(pose(0, 0, 0));
-const Motion kThrough = Motion::translation(pose(0, -10, 0), {20, 0});
+const Motion kStill = Motion::still(turnedAndMoved(0, 0, 0));
+const Motion kThrough = Motion::translation(turnedAndMoved(0, -10, 0), {20, 0});
 
 void expectSpans(const std::vector<Conflict>& found, const std::vector<std::pair<double, double>>& spans,
                  double error = kError) {
@@ -47,7 +47,7 @@ TEST(Conflicts, AreAllSpansWithBeginAndEnd) {
   expectSpans(conflicts(kSquare, kThrough, kWalls, kStill, {0, kError}), {{0.45, 0.6}, {0.7, 0.85}});
   expectSpans(conflicts(kWalls, kStill, kSquare, kThrough, {0.5, kError}), {{0.425, 0.625}, {0.675, 0.875}});
   expectSpans(conflicts(kWalls, kStill, kSquare, kThrough, {2, kError}), {{0.35, 0.95}});
-  EXPECT_TRUE(conflicts(kWalls, kStill, kSquare, Motion::translation(pose(0, -10, 0), {0, 20})).empty());
+  EXPECT_TRUE(conflicts(kWalls, kStill, kSquare, Motion::translation(turnedAndMoved(0, -10, 0), {0, 20})).empty());
 }
 
 /// Squares of lengths are 0 or infinite at most of these sizes.
@@ -56,7 +56,7 @@ TEST(Conflicts, OfAnySize) {
   for (const double size : {1.0, 1e-300, 1e-170, 1e160, 1e300}) {
     SCOPED_TRACE(size);
     const Polygon walls = kWalls.scaled(size), square = kSquare.scaled(size);
-    const auto from = [&](double x) { return pose(0, x * size, 0); };
+    const auto from = [&](double x) { return turnedAndMoved(0, x * size, 0); };
     expectSpans(conflicts(walls, kStill, square, Motion::translation(from(-10), {20 * size, 0}), {0, kError}),
                 {{0.45, 0.6}, {0.7, 0.85}});
     // From within the first wall, past the second one and back.
@@ -75,12 +75,12 @@ TEST(Conflicts, EndAtTheEnd) {
   expectSpans(conflicts(kSquare, kStill, kSquare, kStill), {{0, 1}}, 0);
   const Polygon beside({rectangle(1, -1, 3, 1)});
   expectSpans(conflicts(kSquare, kStill, beside, kStill), {{0, 1}}, 0);  // they touch, at rest
-  expectSpans(conflicts(kSquare, kStill, kSquare, Motion::translation(pose(0, 4, 0), {-3, 0}), {0, kError}),
+  expectSpans(conflicts(kSquare, kStill, kSquare, Motion::translation(turnedAndMoved(0, 4, 0), {-3, 0}), {0, kError}),
               {{2.0 / 3, 1}});
 }
 
 TEST(Conflicts, WhatMetAtTheStartIsIgnoredUntilItHasParted) {
-  const Motion leaves = Motion::translation(pose(0, 0.5, 0), {20, 0});
+  const Motion leaves = Motion::translation(turnedAndMoved(0, 0.5, 0), {20, 0});
   ImpactOptions options{0, kError};
   EXPECT_EQ(timeOfImpact(kWalls, kStill, kSquare, leaves, options)->time, 0);
   options.ignore_initial = true;
@@ -100,7 +100,7 @@ TEST(Conflicts, AreTwoWhereWhatPartsThemLastsLongerThanTheTimeError) {
   for (int i = 0; i < 40; ++i) {
     const double parted = kError * (1.05 + 0.05 * i), x = 0.37 * kError * i;
     const Polygon walls({rectangle(0, -5, 1, 5), rectangle(3 + 20 * parted, -5, 6, 5)});
-    const Motion through = Motion::translation(pose(0, -10 + 20 * x, 0), {20, 0});
+    const Motion through = Motion::translation(turnedAndMoved(0, -10 + 20 * x, 0), {20, 0});
     EXPECT_EQ(conflicts(walls, kStill, saw, through, {0, kError}).size(), 2u) << i;
   }
 }
@@ -120,8 +120,10 @@ TEST(MotionPart, IsTheMotionFromOneTimeToAnother) {
 }
 
 TEST(Trajectory, GoesFromPoseToPoseAndRestsBeforeAndAfter) {
-  const Trajectory way =
-      Trajectory::through({{2, pose(0, 0, 0)}, {4, pose(0, 4, 0)}, {5, pose(0, 4, 0)}, {6, pose(0, 4, 1)}});
+  const Trajectory way = Trajectory::through({{2, turnedAndMoved(0, 0, 0)},
+                                              {4, turnedAndMoved(0, 4, 0)},
+                                              {5, turnedAndMoved(0, 4, 0)},
+                                              {6, turnedAndMoved(0, 4, 1)}});
   EXPECT_EQ(way.begin(), 2);
   EXPECT_EQ(way.end(), 6);
   EXPECT_EQ(way.at(0).translation(), Vec2(0, 0));
@@ -142,30 +144,34 @@ TEST(Trajectory, RefusesTimesThatDontIncrease) {
       {{{1, 1, kStill}}, "tricover: legs[0]: it must end after its begin, both finite"}};
   for (const auto& [legs, message] : refused) EXPECT_EQ(refusal([&, &of = legs] { Trajectory{of}; }), message);
   EXPECT_EQ(refusal([] {
-              Trajectory::through({{0, pose(0, 0, 0)}, {0, pose(0, 1, 0)}});
+              Trajectory::through({{0, turnedAndMoved(0, 0, 0)}, {0, turnedAndMoved(0, 1, 0)}});
             }),
             "tricover: poses[1].time: times must be finite and increase");
 }
 
 TEST(Trajectory, RefusesPosesAndTimes) {
-  Pose bent = pose(0, 1, 0), mirrored = pose(0, 2, 0);
+  Pose bent = turnedAndMoved(0, 1, 0), mirrored = turnedAndMoved(0, 2, 0);
   bent.linear()(0, 1) = 0.5;
   mirrored.linear().col(0) *= -1;
   const auto refusalOf = [](const Pose& second, const Pose& third) {
-    return refusal([&] { Trajectory::through({{0, pose(0, 0, 0)}, {1, second}, {2, third}}); });
+    return refusal([&] { Trajectory::through({{0, turnedAndMoved(0, 0, 0)}, {1, second}, {2, third}}); });
   };
-  EXPECT_EQ(refusalOf(bent, pose(0, 2, 0)).find("tricover: poses[1].pose: linear() is off rigid by "), 0u);
-  EXPECT_EQ(refusalOf(pose(0, 1, 0), bent).find("tricover: poses[2].pose: linear() is off rigid by "), 0u);
-  EXPECT_EQ(refusalOf(pose(0, 1, 0), mirrored).find("tricover: poses[2].pose: only one of it and poses[1].pose "), 0u);
-  const Trajectory way = Trajectory::through({{0, pose(0, 0, 0)}, {1, pose(0, 1, 0)}});
+  EXPECT_EQ(refusalOf(bent, turnedAndMoved(0, 2, 0)).find("tricover: poses[1].pose: linear() is off rigid by "), 0u);
+  EXPECT_EQ(refusalOf(turnedAndMoved(0, 1, 0), bent).find("tricover: poses[2].pose: linear() is off rigid by "), 0u);
+  EXPECT_EQ(
+      refusalOf(turnedAndMoved(0, 1, 0), mirrored).find("tricover: poses[2].pose: only one of it and poses[1].pose "),
+      0u);
+  const Trajectory way = Trajectory::through({{0, turnedAndMoved(0, 0, 0)}, {1, turnedAndMoved(0, 1, 0)}});
   EXPECT_EQ(refusal([&] { way.at(std::nan("")); }).find("tricover: time: it is not a number"), 0u);
   for (const bool late : {false, true}) EXPECT_EQ(way.at(late ? HUGE_VAL : -HUGE_VAL).translation(), Vec2(late, 0));
 }
 
 TEST(Trajectory, ConflictsGoOnFromLegToLegInTheClocksTime) {
   // Into the first wall, a wait there, and on through both.
-  const Trajectory way =
-      Trajectory::through({{10, pose(0, -10, 0)}, {20, pose(0, 0, 0)}, {30, pose(0, 0, 0)}, {40, pose(0, 10, 0)}});
+  const Trajectory way = Trajectory::through({{10, turnedAndMoved(0, -10, 0)},
+                                              {20, turnedAndMoved(0, 0, 0)},
+                                              {30, turnedAndMoved(0, 0, 0)},
+                                              {40, turnedAndMoved(0, 10, 0)}});
   const Trajectory rests({{0, 100, kStill}});
   const double error = 1e-3;
   expectSpans(conflicts(kWalls, rests, kSquare, way, {0, error}), {{19, 32}, {34, 37}}, error);
@@ -174,7 +180,7 @@ TEST(Trajectory, ConflictsGoOnFromLegToLegInTheClocksTime) {
   EXPECT_LE(first->time, 19);
   EXPECT_GE(first->time, 19 - error);
   // The other one's clock ends sooner, in the wall.
-  const Trajectory from_inside({{25, 35, Motion::translation(pose(0, 0.5, 0), {20, 0})}});
+  const Trajectory from_inside({{25, 35, Motion::translation(turnedAndMoved(0, 0.5, 0), {20, 0})}});
   ImpactOptions options{0, error, true};
   expectSpans(conflicts(kWalls, rests, kSquare, from_inside, options), {{26.75, 28.25}}, error);
   EXPECT_NEAR(timeOfImpact(kWalls, rests, kSquare, from_inside, options)->time, 26.75, error);

@@ -49,7 +49,7 @@ ContactOptions local() {
 
 TEST(ContactCorners, IntoOneWallLeadOutOfItWhateverTheCrateRestsOn) {
   const Polygon crate({rectangle(-1, -1, 1, 1)});
-  const std::vector<Contact> found = contacts(kCorner, kHere, crate, pose(0, 1.99, 2), local());
+  const std::vector<Contact> found = contacts(kCorner, kHere, crate, turnedAndMoved(0, 1.99, 2), local());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].depth, 0.01, 1e-14);
   EXPECT_LE((found[0].normal - Vec2(1, 0)).norm(), 1e-12);
@@ -58,9 +58,11 @@ TEST(ContactCorners, IntoOneWallLeadOutOfItWhateverTheCrateRestsOn) {
   for (const Polygon& room : corners())
     for (const double deep : {1e-9, 1e-4, 0.01, 0.2})
       for (const double turn : {0.0, 1.0}) {
-        const Pose frame = pose(turn, 5, -3);
-        const std::vector<Contact> in_wall = contacts(room, frame, crate, frame * pose(0, 1 - deep, 1), local()),
-                                   in_floor = contacts(room, frame, crate, frame * pose(0, 1, 1 - deep), local());
+        const Pose frame = turnedAndMoved(turn, 5, -3);
+        const std::vector<Contact> in_wall =
+                                       contacts(room, frame, crate, frame * turnedAndMoved(0, 1 - deep, 1), local()),
+                                   in_floor =
+                                       contacts(room, frame, crate, frame * turnedAndMoved(0, 1, 1 - deep), local());
         ASSERT_FALSE(in_wall.empty() || in_floor.empty());
         EXPECT_NEAR(in_wall[0].depth, deep, 1e-12);
         EXPECT_LE((in_wall[0].normal - frame.linear() * Vec2(1, 0)).norm(), 1e-6);
@@ -74,7 +76,7 @@ TEST(ContactCorners, IntoBothWallsLeadAlongTheBisectorAndFreeTheCrateOfBoth) {
   for (const Polygon& room : corners())
     for (const double deep : {1e-9, 1e-4, 0.01, 0.2})
       for (const double other : {1.0, 0.5, 1e-3}) {
-        Pose there = pose(0, 1 - deep, 1 - other * deep);
+        Pose there = turnedAndMoved(0, 1 - deep, 1 - other * deep);
         const std::vector<Contact> found = contacts(room, kHere, crate, there, local());
         ASSERT_EQ(found.size(), 1u);
         EXPECT_NEAR(found[0].depth, deep * std::hypot(1, other), 1e-12);
@@ -93,7 +95,7 @@ TEST(ContactCorners, AreAlikeInCornersThatAreHardlyTurned) {
     const Polygon& room = rooms[static_cast<std::size_t>(i) % rooms.size()];
     // Some corner of the turned crate is so deep in the left wall, and another one rests on the floor.
     const double reach = std::cos(turn) + std::abs(std::sin(turn));
-    const Pose there = pose(turn, reach - deep, reach);
+    const Pose there = turnedAndMoved(turn, reach - deep, reach);
     const std::vector<Contact> found = contacts(room, kHere, crate, there, local());
     ASSERT_FALSE(found.empty());
     EXPECT_GE(found[0].depth, deep - 1e-12) << i;
@@ -107,7 +109,7 @@ TEST(ContactCorners, AreAlikeInCornersThatAreHardlyTurned) {
 TEST(ContactCorners, BesideAnotherComponentAreTheSame) {
   const Polygon crate({rectangle(-1, -1, 1, 1), rectangle(15, 15, 16, 16)});
   const Polygon room({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}, rectangle(17.5, 17, 19, 18)});
-  const std::vector<Contact> found = contacts(room, kHere, crate, pose(0, 1.99, 1.99));
+  const std::vector<Contact> found = contacts(room, kHere, crate, turnedAndMoved(0, 1.99, 1.99));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(std::min(found[0].depth, found[1].depth), std::sqrt(2) * 0.01, 1e-12);
 }
@@ -124,14 +126,15 @@ TEST(ContactCorners, PushingByThemAgainAndAgainComesToRest) {
     const Polygon body({random.oneIn(3) ? Ring{{-1, -1}, {1, -1}, {1, 0}, {.3, 0}, {.3, 1}, {-.3, 1}, {-.3, 0}, {-1, 0}}
                                         : rectangle(-w, -h, w, h)});
     const double turn = random.oneIn(3) ? 0 : random.coin() ? random.real(-0.001, 0.001) : random.real(0, 6.3);
-    Pose in_room = pose(turn, 0, 0);
+    Pose in_room = turnedAndMoved(turn, 0, 0);
     Vec2 low(9, 9);
     for (const Vec2& v : body.rings()[0]) low = low.cwiseMin(in_room * v);
     const double deep = std::exp2(random.real(-16, -2));
     in_room.translation() = Vec2(-deep, -deep * random.unit()) - low;
     if (random.oneIn(3)) in_room.translation().x() += random.unit();
     if (random.oneIn(3)) in_room.translation().y() += random.oneIn(2) ? deep : random.real(0, 4);
-    const Pose frame = random.coin() ? kHere : pose(random.real(0, 6.3), random.real(-9, 9), random.real(-9, 9));
+    const Pose frame =
+        random.coin() ? kHere : turnedAndMoved(random.real(0, 6.3), random.real(-9, 9), random.real(-9, 9));
     const Case c{room, frame, body, frame * in_room};
     const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, local());
     if (found.empty() || !(found[0].depth > 1e-9)) continue;
@@ -159,12 +162,13 @@ TEST(ContactCorners, PushingByThemAgainAndAgainComesToRest) {
 TEST(ContactCorners, AreNoNoiseWhereAnEdgeIsUsedTwice) {
   const Polygon a({{{3, -1}, {1, 0}, {1, 3}, {1, 2}, {1, -1}, {-2, -1}, {0, -2}}}),
       b({{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}});
-  const std::vector<Contact> middle = contacts(a, kHere, b, pose(1, 1.75, 0.8725), local());
+  const std::vector<Contact> middle = contacts(a, kHere, b, turnedAndMoved(1, 1.75, 0.8725), local());
   ASSERT_FALSE(middle.empty());
   for (int i = 0; i < 400; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const auto off = [&] { return random.real(-1e-9, 1e-9); };
-    const std::vector<Contact> found = contacts(a, kHere, b, pose(1 + off(), 1.75 + off(), 0.8725 + off()), local());
+    const std::vector<Contact> found =
+        contacts(a, kHere, b, turnedAndMoved(1 + off(), 1.75 + off(), 0.8725 + off()), local());
     ASSERT_EQ(found.size(), middle.size()) << i;
     EXPECT_NEAR(found[0].depth, middle[0].depth, 1e-7) << i;
   }

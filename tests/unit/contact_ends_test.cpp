@@ -62,13 +62,13 @@ ContactOptions with(ContactDetail detail, double margin = 0) {
 
 TEST(ContactEnds, OfACrateOnAFloorAreItsCorners) {
   for (const double depth : {0.0, 0x1p-40, 0x1p-20, 0x1p-6, 0.25}) {
-    const Contact contact = only(kFloor, kCrate, pose(0, 2, -depth));
+    const Contact contact = only(kFloor, kCrate, turnedAndMoved(0, 2, -depth));
     EXPECT_EQ(contact.depth, depth);
     EXPECT_LE((contact.point - Vec2(2, -depth / 2)).norm(), 1e-14);
     expectEnds(contact, {{1.5, -depth / 2}, depth}, {{2.5, -depth / 2}, depth});
   }
   // Half over the floor's end.
-  expectEnds(only(kFloor, kCrate, pose(0, 9.75, -0.125)), {{9.25, -0.0625}, 0.125}, {{10, -0.0625}, 0.125});
+  expectEnds(only(kFloor, kCrate, turnedAndMoved(0, 9.75, -0.125)), {{9.25, -0.0625}, 0.125}, {{10, -0.0625}, 0.125});
 }
 
 /// A bar through a square that is deeper than the bar is wide: the ends are in the bar, as the middle is.
@@ -80,7 +80,7 @@ TEST(ContactEnds, OfABarThroughASquareAreInTheBar) {
 
 TEST(ContactEnds, OfEdgesThatLeanHaveTheirOwnDepths) {
   for (const double angle : {1e-9, -1e-9, 1e-6, 1e-3}) {
-    Pose leaning = pose(angle, 2, 0);
+    Pose leaning = turnedAndMoved(angle, 2, 0);
     // The lower corner is 2^-8 deep.
     leaning.translation().y() = -0x1p-8 + 0.5 * std::abs(std::sin(angle));
     const Contact contact = only(kFloor, kCrate, leaning);
@@ -95,14 +95,14 @@ TEST(ContactEnds, OfEdgesThatLeanHaveTheirOwnDepths) {
 
 TEST(ContactEnds, OfWhatTouchesAtACornerAreOne) {
   // The other corner is 1e-9 above the floor.
-  Pose leaning = pose(1e-9, 2, 0);
+  Pose leaning = turnedAndMoved(1e-9, 2, 0);
   leaning.translation().y() = 0.5e-9 - 1e-12;
   expectOne(only(kFloor, kCrate, leaning));
-  expectOne(only(kFloor, kCrate, pose(0.25 * std::acos(-1.0), 2, -0.125)));
+  expectOne(only(kFloor, kCrate, turnedAndMoved(0.25 * std::acos(-1.0), 2, -0.125)));
   const Polygon notched({{{-10, -1}, {10, -1}, {10, 0}, {-8, 0}, {-9, -0.5}, {-10, 0}}});
   for (const ContactDetail detail : kDetails) {
     expectOne(only(notched, kCrate, leaning, with(detail)));
-    expectOne(only(notched, kCrate, pose(0.25 * std::acos(-1.0), 2, -0.125), with(detail)));
+    expectOne(only(notched, kCrate, turnedAndMoved(0.25 * std::acos(-1.0), 2, -0.125), with(detail)));
   }
 }
 
@@ -119,24 +119,24 @@ TEST(ContactEnds, GoOnAlongStraightEdges) {
   const Polygon floor({ring}), convex({Ring(ring.begin(), ring.end() - 2)});
   for (const ContactDetail detail : kDetails) {
     for (const double depth : {0.0, 0x1p-30, 0x1p-6}) {
-      const Contact contact = only(floor, kCrate, pose(0, 2.0625, -depth), with(detail));
+      const Contact contact = only(floor, kCrate, turnedAndMoved(0, 2.0625, -depth), with(detail));
       expectEnds(contact, {{1.5625, -depth / 2}, depth}, {{2.5625, -depth / 2}, depth});
-      expectEnds(only(convex, kCrate, pose(0, 2.0625, -depth), with(detail)), {{1.5625, -depth / 2}, depth},
+      expectEnds(only(convex, kCrate, turnedAndMoved(0, 2.0625, -depth), with(detail)), {{1.5625, -depth / 2}, depth},
                  {{2.5625, -depth / 2}, depth});
     }
     for (const Polygon& below : {floor, convex})
-      expectEnds(only(below, kCrate, pose(0, 2.0625, 0.25), with(detail, 0.5)), {{1.5625, 0.125}, 0.25},
+      expectEnds(only(below, kCrate, turnedAndMoved(0, 2.0625, 0.25), with(detail, 0.5)), {{1.5625, 0.125}, 0.25},
                  {{2.5625, 0.125}, 0.25});
   }
 }
 
 TEST(ContactEnds, WithAMarginAreOfWhatIsGrown) {
   for (const double depth : {-0.25, 0.0, 0x1p-6, 0.125}) {
-    const Contact contact = only(kFloor, kCrate, pose(0, 2, -depth), with(ContactDetail::GlobalDepth, 0.5));
+    const Contact contact = only(kFloor, kCrate, turnedAndMoved(0, 2, -depth), with(ContactDetail::GlobalDepth, 0.5));
     expectEnds(contact, {{1.5, -depth / 2}, depth + 0.5}, {{2.5, -depth / 2}, depth + 0.5});
   }
   // Away from the floor by more than the margin at one end.
-  Pose leaning = pose(0.75, 2, 0);
+  Pose leaning = turnedAndMoved(0.75, 2, 0);
   leaning.translation().y() = 0.5 * std::sin(0.75) + 0.25;
   expectOne(only(kFloor, kCrate, leaning, with(ContactDetail::GlobalDepth, 0.5)));
 }
@@ -145,7 +145,7 @@ TEST(ContactEnds, WithAMarginAreOfWhatIsGrown) {
 TEST(ContactEnds, InACornerAreOnOneOfItsEdges) {
   const Polygon corner({{{-10, -1}, {10, -1}, {10, 9}, {9, 9}, {9, 0}, {-10, 0}}});
   for (const double deep : {0x1p-20, 0x1p-5}) {
-    const Contact contact = only(corner, kCrate, pose(0, 8.5 + deep, -deep));
+    const Contact contact = only(corner, kCrate, turnedAndMoved(0, 8.5 + deep, -deep));
     EXPECT_NEAR(contact.depth, std::sqrt(2) * deep, 1e-14);
     ASSERT_EQ(contact.count, 2u);
     for (const ContactPoint& p : contact.points) EXPECT_NEAR(p.depth, contact.depth, 1e-14);
@@ -173,7 +173,7 @@ TEST(ContactEnds, WithinAMarginAreTheSameFarFromTheOrigin) {
   for (const Polygon& below : {rack, notched})
     for (const double x : {0.0, 300.0, 1e3, 1e5})
       for (const double gap : {0.01, 0.005}) {
-        const auto found = contacts(below, pose(0, x, 0), crate, pose(0, x, 1 + gap), {0.02});
+        const auto found = contacts(below, turnedAndMoved(0, x, 0), crate, turnedAndMoved(0, x, 1 + gap), {0.02});
         ASSERT_EQ(found.size(), 1u);
         EXPECT_EQ(found[0].edge_a, 2) << x;
         EXPECT_EQ(found[0].edge_b, 0) << x;
@@ -188,7 +188,7 @@ TEST(ContactEnds, HaveTheDepthOfTheirComponent) {
   int two = 0, one = 0;
   for (const ContactDetail detail : kDetails)
     for (int i = 0; i < 600; ++i) {
-      const Pose there = i == 0 ? kHere : pose(0.37 * i, std::cos(0.71 * i), 1 + std::sin(0.53 * i));
+      const Pose there = i == 0 ? kHere : turnedAndMoved(0.37 * i, std::cos(0.71 * i), 1 + std::sin(0.53 * i));
       const std::vector<Contact> found = contacts(u, kHere, i % 2 == 0 ? through : kCrate, there, with(detail));
       for (std::size_t k = 0; k < found.size(); ++k) {
         EXPECT_EQ(found[k].points[0].depth, found[k].depth) << i;
@@ -203,7 +203,7 @@ TEST(ContactEnds, HaveTheDepthOfTheirComponent) {
 /// Where only the margin makes the two overlap, the end is in the middle. The other one is the tip, as the point is.
 TEST(ContactEnds, WithAMarginAreInTheMiddleOfAGap) {
   const Polygon box({rectangle(-1, -1, 1, 1)}), triangle({{{0.15, 1.15}, {-0.35, 0.35}, {0.45, -0.3}}});
-  const Contact contact = only(box, triangle, pose(0, -0.6, 0.95), with(ContactDetail::GlobalDepth, 0.3));
+  const Contact contact = only(box, triangle, turnedAndMoved(0, -0.6, 0.95), with(ContactDetail::GlobalDepth, 0.3));
   ASSERT_EQ(contact.count, 2u);
   EXPECT_NEAR(contact.depth, 0.65, 1e-14);
   EXPECT_LE((contact.points[0].point - Vec2(-0.15, 0.65)).norm(), 1e-12);

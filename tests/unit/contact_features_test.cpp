@@ -10,7 +10,7 @@ namespace {
 TEST(ContactFeatures, ThatAreShallowHaveTheEdgesNormalAllTheSame) {
   const double cosine = std::cos(0.3), sine = std::sin(0.3);
   for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    const Pose turned = pose(0.3, 7, 5);
+    const Pose turned = turnedAndMoved(0.3, 7, 5);
     const auto found =
         ask(Polygon({rectangle(0, 0, 4, 4)}), turned, Polygon({{{4 - depth, 2}, {6, 1}, {5, 2}, {6, 3}}}), turned);
     ASSERT_EQ(found.size(), 1u);
@@ -102,10 +102,10 @@ TEST(ContactFeatures, OfMirroredPolygons) {
   const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
   Pose flipped = kHere;
   flipped.linear() << -1, 0, 0, 1;
-  const auto found = ask(a, kHere, b, Pose(pose(0, 5, 1) * flipped));  // x from 3 to 5
+  const auto found = ask(a, kHere, b, Pose(turnedAndMoved(0, 5, 1) * flipped));  // x from 3 to 5
   ASSERT_EQ(found.size(), 1u);
   expectContact(found[0], {3.5, 2}, {1, 0}, 1);
-  const auto both = ask(a, flipped, b, Pose(pose(0, -3, 1) * flipped));  // x from -5 to -3
+  const auto both = ask(a, flipped, b, Pose(turnedAndMoved(0, -3, 1) * flipped));  // x from -5 to -3
   ASSERT_EQ(both.size(), 1u);
   expectContact(both[0], {-3.5, 2}, {-1, 0}, 1);
 }
@@ -138,12 +138,12 @@ TEST(ContactFeatures, OfAHugeAndATinyPolygonAreWhereTheTinyOneIs) {
 
 TEST(ContactFeatures, FarAway) {
   const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(0, 0, 2, 2)});
-  const auto found = ask(a, pose(0, 1e15, -1e15), b, pose(0, 1e15 + 3, -1e15 + 1));
+  const auto found = ask(a, turnedAndMoved(0, 1e15, -1e15), b, turnedAndMoved(0, 1e15 + 3, -1e15 + 1));
   ASSERT_EQ(found.size(), 1u);
   expectContact(found[0], {1e15 + 3.5, -1e15 + 2}, {1, 0}, 1);
   // Its own coordinates are far away, too.
   const Polygon c({shifted(rectangle(0, 0, 2, 2), {1e15, 1e15})});
-  const auto again = ask(a, kHere, c, pose(0, -1e15 + 3, -1e15 + 1));
+  const auto again = ask(a, kHere, c, turnedAndMoved(0, -1e15 + 3, -1e15 + 1));
   ASSERT_EQ(again.size(), 1u);
   expectContact(again[0], {3.5, 2}, {1, 0}, 1);
 }
@@ -163,7 +163,7 @@ TEST(ContactFeatures, OfFansThatTouchInOnePointAreOne) {
   EXPECT_FALSE(
       collide(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), Pose(kHere * Eigen::Translation2d(found[0].normal))));
   // Turned into each other the spikes cross beside it, too.
-  const auto crossed = ask(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), pose(2, 0, 0));
+  const auto crossed = ask(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), turnedAndMoved(2, 0, 0));
   ASSERT_EQ(crossed.size(), 1u);
   EXPECT_GT(crossed[0].depth, 0);
   EXPECT_EQ(crossings(Polygon({fan(-1)}), kHere, Polygon({fan(1)}), kHere).size(),
@@ -181,7 +181,7 @@ TEST(ContactFeatures, OfFansWithACommonEdgeAreInItsMiddle) {
                                Vec2(std::sin(angle + 0.02), std::cos(angle + 0.02))});
   }
   for (const double turn : {0.0, 1.0, 3.0}) {
-    const Pose at = pose(turn, 0, 0);
+    const Pose at = turnedAndMoved(turn, 0, 0);
     const std::vector<Contact> found = ask(Polygon({left}), at, Polygon({right}), at);
     ASSERT_EQ(found.size(), 1u) << turn;
     EXPECT_LE((found[0].point - at * Vec2(0, 0.5)).norm(), 1e-12) << turn;
@@ -216,7 +216,7 @@ TEST(ContactFeatures, NameEdgesOfSmallConvexAndOfDeepPairs) {
   for (const int n : {4, 8, 16, 200}) {
     const Polygon a({regular(n, 1)}), b({regular(n, 0.9)});
     for (const double x : {0.3, 0.6, 1.2}) {
-      const auto found = ask(a, kHere, b, pose(0.1, x, 0));
+      const auto found = ask(a, kHere, b, turnedAndMoved(0.1, x, 0));
       ASSERT_EQ(found.size(), 1u);
       EXPECT_GE(found[0].edge_a, 0) << n << " " << x;
       EXPECT_GE(found[0].edge_b, 0) << n << " " << x;

@@ -67,7 +67,7 @@ TEST(Contacts, AreAtMostAsManyAsAskedFor) {
 TEST(Contacts, WithAMarginAreOfWhatIsGrown) {
   const Polygon square({rectangle(-1, -1, 1, 1)}), far({rectangle(0x1p700, -1, 0x1p701, 1)});
   const auto beside = [&](double gap, double margin) {
-    return contacts(square, kHere, square, pose(0, 2 + gap, 0.5), {margin});
+    return contacts(square, kHere, square, turnedAndMoved(0, 2 + gap, 0.5), {margin});
   };
   ASSERT_EQ(beside(-0.25, 0.5).size(), 1u);
   EXPECT_EQ(beside(-0.25, 0.5)[0].depth, 0.75);
@@ -90,10 +90,10 @@ TEST(Contacts, WithAMarginAreOfWhatIsGrown) {
 
 TEST(Contacts, OfTwoAnnuliAreTheirTwoLenses) {
   const Polygon annulus({regular(64, 2), regular(64, 1.5)});
-  EXPECT_EQ(ask(annulus, kHere, annulus, pose(0.1, 2, 0)).size(), 2u);
+  EXPECT_EQ(ask(annulus, kHere, annulus, turnedAndMoved(0.1, 2, 0)).size(), 2u);
   // Wide rings hang together around the holes.
   const Polygon wide({regular(64, 2), regular(64, 0.25)});
-  EXPECT_EQ(ask(wide, kHere, wide, pose(0.1, 1, 0)).size(), 1u);
+  EXPECT_EQ(ask(wide, kHere, wide, turnedAndMoved(0.1, 1, 0)).size(), 1u);
 }
 
 TEST(Contacts, HolesBelongToTheComponentAroundThem) {
@@ -208,8 +208,8 @@ TEST(Contacts, OfIslandsOfTheLargerPolygonInsideOfTheOthers) {
   const Polygon a({rectangle(-1, -1, 1, 1), rectangle(99, -1, 101, 1), rectangle(300, 0, 301, 1)});
   const Polygon b({rectangle(-5, -6, 1.5, 7), rectangle(94, -1.25, 106, 9)});
   for (const bool swapped : {false, true}) {
-    const auto found =
-        swapped ? contacts(b, pose(0, 0, 0), a, pose(0, 0, 0)) : contacts(a, pose(0, 0, 0), b, pose(0, 0, 0));
+    const auto found = swapped ? contacts(b, turnedAndMoved(0, 0, 0), a, turnedAndMoved(0, 0, 0))
+                               : contacts(a, turnedAndMoved(0, 0, 0), b, turnedAndMoved(0, 0, 0));
     ASSERT_EQ(found.size(), 2u);
     const double sign = swapped ? -1 : 1;
     EXPECT_EQ(found[0].depth, 2.5);
@@ -246,7 +246,8 @@ TEST(Contacts, OfDenormalCoordinates) {
       return Polygon({ring});
     };
     const Polygon a = shape(), b = shape();
-    const Pose there = pose(random.real(0, 6.28), size * random.real(-1.5, 1.5), size * random.real(-1.5, 1.5));
+    const Pose there =
+        turnedAndMoved(random.real(0, 6.28), size * random.real(-1.5, 1.5), size * random.real(-1.5, 1.5));
     for (const Contact& contact : contacts(a, kHere, b, there)) {
       const Polygon at = point(contact.point);
       const mpq_class off(0x1p-1042 * (1 + 1e-9));

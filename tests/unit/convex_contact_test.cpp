@@ -12,6 +12,7 @@
 #include "contact/contact_solvers.h"
 #include "contact_laws.h"
 #include "convex/convex_outline.h"
+#include "exact_reference.h"
 #include "families.h"
 #include "numbers/segment.h"
 #include "random.h"
@@ -64,6 +65,26 @@ long double depthBehind(const PosedPair& pair, bool of_a, std::size_t edge) {
     depth = std::max(depth, hand * (way.x() * to.y() - way.y() * to.x()) / way.norm());
   }
   return depth;
+}
+
+/// What contacts() keeps as a certificate.
+TEST(SeparatingAxes, GapIsALowerBoundOfTheDistance) {
+  int apart = 0, close = 0;
+  for (int i = 0; i < scaledCount(4000); ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const Case c = convexPair(random);
+    const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
+    const SeparatingAxes axes(pair);
+    if (axes.verdict() != SeparatingAxes::Apart) continue;
+    const double distance = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
+    ASSERT_LE(axes.gap(), distance) << "seed " << i << "\n" << reproduction(c);
+    ASSERT_GE(axes.gap(), 0);
+    ++apart;
+    close += axes.gap() > 0.9 * distance;
+  }
+  EXPECT_GT(apart, scaledCount(4000) / 10);
+  EXPECT_GT(close, apart / 4);
+  EXPECT_LT(close, apart);
 }
 
 /// Floats leave out no face that is among the least, of few edges; nor do plain doubles, of more.
@@ -138,7 +159,7 @@ TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
   const Polygon box({rectangle(-14, -14, 14, 14)});
   for (const double length : {1e-11, 1e-3, 1.0}) {
     const Polygon needle({{{-length, 0}, {0, -1e-27}, {length, 0}, {0, 1e-27}}});
-    const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, pose(0, 10.25, 4.5));
+    const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].normal, Vec2(1, 0));
     EXPECT_NEAR(found[0].depth, 3.75 + length, 1e-14);

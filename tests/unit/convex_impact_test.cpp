@@ -86,7 +86,8 @@ TEST(ConvexImpact, NearlyStraightChainsAreSeenWhole) {
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     Random random(static_cast<std::uint64_t>(i));
-    Motion motion_a = Motion::still(pose(random.oneIn(3) ? 0 : random.real(-4, 4), 0, 0)), motion_b = motion_a;
+    Motion motion_a = Motion::still(turnedAndMoved(random.oneIn(3) ? 0 : random.real(-4, 4), 0, 0)),
+           motion_b = motion_a;
     motion_b.start.translation() = motion_a.start * Vec2(random.real(-14, 14), random.real(-9, -0.01));
     motion_b.shift = motion_a.start.linear() * Vec2(0, random.real(0, 10));
     if (random.coin()) motion_a.angle = random.real(-1, 1);
@@ -118,7 +119,7 @@ Slide anySlide(Random& random) {
   const auto whole = [&](int low, int high) { return static_cast<double>(random.integer(low, high)); };
   if (random.oneIn(3)) {
     const auto box = [&] { return Polygon({rectangle(whole(-4, -1), whole(-4, -1), whole(1, 4), whole(1, 4))}); };
-    const Motion moving = Motion::translation(pose(0, whole(-12, 12), whole(5, 12)),
+    const Motion moving = Motion::translation(turnedAndMoved(0, whole(-12, 12), whole(5, 12)),
                                               Vec2(whole(-6, 6), random.oneIn(4) ? 0 : whole(-16, 2)));
     return {box(), box(), {}, moving, random.oneIn(4) ? 0.5 : 0};
   }
@@ -127,10 +128,10 @@ Slide anySlide(Random& random) {
       b = random.oneIn(3) ? pointOrSegment(random, size)
                           : Polygon({convexRing(random, random.real(0.05, 1) * size, 16)});
   const Vec2 start = 3 * size * direction(random.real(-4, 4)), drift = size * Vec2(random.real(-9, 9), 2);
-  Motion still = Motion::translation(pose(random.real(-4, 4), far, far), drift);
+  Motion still = Motion::translation(turnedAndMoved(random.real(-4, 4), far, far), drift);
   if (random.oneIn(4)) still.start = mirrored(still.start);
   Motion moving;
-  moving.start = pose(random.real(-4, 4), 0, 0);
+  moving.start = turnedAndMoved(random.real(-4, 4), 0, 0);
   moving.start.translation() = still.start * a.origin() + start - moving.start * b.origin();
   moving.shift = drift - random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1, 1)) * start);
   moving.pivot = b.origin() + (random.oneIn(4) ? Vec2(size, 0) : Vec2(0, 0));
@@ -198,7 +199,8 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon a({convexRing(random, 1, 16)}), b({convexRing(random, random.real(0.05, 1), 16)});
     const Vec2 start = 3 * direction(random.real(-4, 4));
-    const Motion motion = Motion::translation(pose(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.origin());
+    const Motion motion =
+        Motion::translation(turnedAndMoved(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.origin());
     const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {0, 1e-9});
     if (!impact || impact->time == 0) continue;
     const PolygonData &of_a = a.data(), &of_b = b.data();
@@ -236,9 +238,9 @@ TEST(ConvexImpact, WhatStandsStillHasAnEdgeThatPartsIt) {
 /// Trees are for those that come near.
 TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
   const Polygon a({rectangle(-1, -1, 1, 1)}), b({rectangle(-1, -1, 1, 1)});
-  EXPECT_FALSE(timeOfImpact(a, {}, b, Motion::translation(pose(0, -9, 4), Vec2(18, 0))).has_value());
+  EXPECT_FALSE(timeOfImpact(a, {}, b, Motion::translation(turnedAndMoved(0, -9, 4), Vec2(18, 0))).has_value());
   EXPECT_TRUE(topIfBuilt(a.data()) == nullptr && topIfBuilt(b.data()) == nullptr);
-  EXPECT_TRUE(timeOfImpact(a, {}, b, Motion::translation(pose(0, -9, 0), Vec2(18, 0))).has_value());
+  EXPECT_TRUE(timeOfImpact(a, {}, b, Motion::translation(turnedAndMoved(0, -9, 0), Vec2(18, 0))).has_value());
   EXPECT_NE(topIfBuilt(a.data()), nullptr);
 }
 

@@ -42,6 +42,33 @@ TEST(Covers, PlugsHolesAndItself) {
   EXPECT_TRUE(covers(sheet, Polygon({rectangle(0, 0, 3, 3), rectangle(6, 3, 9, 9)})));
 }
 
+/// An inner ring that runs as the outer one does is a seam.
+TEST(Covers, SeamsInsideOfThePart) {
+  const std::vector<Ring> rings = {rectangle(-9, -9, 9, 9), rectangle(-1, -1, 1, 1)};
+  const Polygon part({rectangle(-3, -3, 3, 3)});
+  EXPECT_TRUE(covers(Polygon(rings, FillRule::NonZero), part));
+  EXPECT_TRUE(covers(Polygon(rings, FillRule::NonZero), part, 6));
+  EXPECT_FALSE(covers(Polygon(rings, FillRule::EvenOdd), part));
+}
+
+/// Three convex strips leave a triangle open, none of whose edges meets the part's.
+TEST(Covers, HoleBetweenThreeStrips) {
+  const double x = 2 * std::sqrt(3.0);
+  const Polygon part({{{-x, 2}, {0, -4}, {x, 2}}});
+  const auto leavesOpen = [&](double inner) {
+    Scene scene;
+    for (const double turn : {0.0, 2.0, 4.0}) {
+      Pose pose = kHere;
+      pose.linear() = Eigen::Rotation2Dd(turn * static_cast<double>(EIGEN_PI) / 3).toRotationMatrix();
+      scene.add(Polygon({rectangle(-20, inner, 20, 8)}), pose);
+    }
+    return !scene.covers(part, kHere);
+  };
+  EXPECT_TRUE(leavesOpen(1));
+  EXPECT_TRUE(leavesOpen(1e-3));
+  EXPECT_FALSE(leavesOpen(-1e-3));
+}
+
 TEST(Covers, LargeAndSmall) {
   for (const double size : {0x1p-990, 0x1p-30, 0x1p30, 0x1p990}) {
     const Polygon area({rectangle(0, 0, 4 * size, 4 * size)}), part({rectangle(size, size, 3 * size, 3 * size)});

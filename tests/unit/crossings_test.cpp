@@ -60,7 +60,7 @@ TEST(Crossings, RefuseWhatCollideRefuses) {
 TEST(Crossings, WithAMarginAreOfEdgesWithinIt) {
   const Polygon square({rectangle(0, 0, 4, 4)});
   const auto beside = [&](double x, double margin) {
-    return crossings(square, Pose::Identity(), square, pose(0, x, 1), {margin});
+    return crossings(square, Pose::Identity(), square, turnedAndMoved(0, x, 1), {margin});
   };
   EXPECT_TRUE(beside(5, 0.5).empty());
   EXPECT_TRUE(beside(5, nudged(1, -1)).empty());

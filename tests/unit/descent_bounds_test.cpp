@@ -33,7 +33,7 @@ using detail::PosedPair;
 using detail::Wanted;
 
 Ring turned(Ring ring, double angle) {
-  for (Vec2& p : ring) p = pose(angle, 0, 0) * p;
+  for (Vec2& p : ring) p = turnedAndMoved(angle, 0, 0) * p;
   return ring;
 }
 
@@ -46,7 +46,7 @@ Polygon oneOrLarge(Random& random, const Ring& ring, double length) {
 
 /// b's lowest vertex, once turned, `depth` below the height 0 of the frame `ground`, at x.
 Pose standing(const Ring& b, const Pose& ground, double angle, double x, double depth) {
-  Pose result = pose(angle, 0, 0);
+  Pose result = turnedAndMoved(angle, 0, 0);
   Vec2 lowest = result * b[0];
   for (const Vec2& p : b) lowest = (result * p).y() < lowest.y() ? Vec2(result * p) : lowest;
   result.translation() = Vec2(x, -depth) - lowest;
@@ -57,7 +57,7 @@ Pose standing(const Ring& b, const Pose& ground, double angle, double x, double 
 Case shortOnALongEdge(Random& random) {
   const double length = std::pow(10, random.real(0, random.oneIn(4) ? 6 : 2.6));
   const Ring ring = star(random, random.integer(9, 40), 0.6, 1);
-  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  const Pose ground = turnedAndMoved(random.real(0, 6.28), 0, 0);
   const double x = random.real(-0.95, 0.95) * length, depth = std::pow(10, random.real(-12, -7)) * (1 + length);
   const Pose pose_b = standing(ring, ground, random.real(0, 6.28), x, std::min(depth, 1e-6));
   return {Polygon({rectangle(-length, -20, length, 0)}), ground, oneOrLarge(random, ring, length), pose_b};
@@ -68,7 +68,7 @@ Case shortOnALongEdge(Random& random) {
 Case flatNearTheEndOfALongEdge(Random& random) {
   const double length = std::pow(10, random.real(3, 5)), own = random.real(0, 6.28);  // a level box's axis is exact
   const Ring ring = turned(rectangle(-1, 0, 1, 1), own);
-  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  const Pose ground = turnedAndMoved(random.real(0, 6.28), 0, 0);
   const double tilt = (random.coin() ? 1 : -1) * std::pow(10, random.real(-8, -6)), x = length - random.real(2, 60);
   const double depth = random.oneIn(3) ? -random.real(0.001, 0.1) : std::pow(10, random.real(-10, -7));
   const Pose pose_b = standing(ring, ground, tilt - own, random.coin() ? x : -x, depth);
@@ -79,11 +79,11 @@ Case flatNearTheEndOfALongEdge(Random& random) {
 Case besideAParallelWall(Random& random) {
   const double length = std::pow(10, random.real(0.5, 2.8)), gap = random.real(0.01, 2), own = random.real(0, 6.28);
   const Ring ring = turned(rectangle(-1, -0.5, 1, 0.5), own);
-  const Pose frame = pose(random.real(0, 6.28), 0, 0);
+  const Pose frame = turnedAndMoved(random.real(0, 6.28), 0, 0);
   return {Polygon({rectangle(-length - 5, -length - 5, length + 5, length + 5),
                    rectangle(-length, -length, length, length)}),
           frame, oneOrLarge(random, ring, length),
-          frame * pose(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length)};
+          frame * turnedAndMoved(-own, random.real(-0.6, 0.6) * length, 0.5 + gap - length)};
 }
 
 double anyDepth(Random& random) { return (random.coin() ? 1e-3 : -1e-3) * std::pow(10, random.real(-7, 0)); }
@@ -91,7 +91,8 @@ double anyDepth(Random& random) { return (random.coin() ? 1e-3 : -1e-3) * std::p
 /// Half planes decide only what they can tell in floats.
 Case convexFaceToFace(Random& random) {
   const Ring ring = regular(random.integer(3, 16), 1);
-  const Pose ground = random.coin() ? pose(random.real(0, 6.28), 0, 0) : pose(random.real(0, 6.28), 3e11, -2e11);
+  const Pose ground =
+      random.coin() ? turnedAndMoved(random.real(0, 6.28), 0, 0) : turnedAndMoved(random.real(0, 6.28), 3e11, -2e11);
   const double angle = random.coin() ? 0.5 * M_PI : random.real(0, 6.28);
   return {Polygon({rectangle(-1, -0.2, 1, 0)}), ground, Polygon({ring}),
           standing(ring, ground, angle, random.real(-0.9, 0.9), anyDepth(random))};
@@ -102,7 +103,7 @@ Case convexByATip(Random& random) {
   const int n = random.integer(3, 16);
   const double up = 0.5 * M_PI - (random.integer(0, n - 1) + 0.5) * 2 * M_PI / n;
   const Ring ring = regular(3, 1);
-  const Pose ground = pose(random.real(0, 6.28), 0, 0);
+  const Pose ground = turnedAndMoved(random.real(0, 6.28), 0, 0);
   return {Polygon({shifted(turned(regular(n, 2), up), {0, -2 * std::cos(M_PI / n)})}), ground, Polygon({ring}),
           standing(ring, ground, random.real(0, 6.28), 0, anyDepth(random))};
 }
@@ -248,7 +249,7 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
         discs->radius[k] = k < discs->count ? static_cast<float>(random.real(0.3, 1) * most) : -1e15f;
       }
     }
-    const Pose turn = pose(random.real(0, 6.28), 0, 0);
+    const Pose turn = turnedAndMoved(random.real(0, 6.28), 0, 0);
     const Vec2 towards = direction(random.real(0, 6.28));
     const double error = i % 2 == 0 ? 0 : 1e-4;
     const double depth = random.coin() ? random.real(-1e-6, 1e-6) : random.real(-1e-3, 3e-3);
@@ -280,7 +281,7 @@ TEST(InnerDiscs, OfARegionThatHasNoneMeetNothing) {
   ASSERT_EQ(innerDiscsOf(angle.data()).largest, 0);
   const Polygon block({rectangle(-2, -2, 2, 2)});
   for (const Vec2& at : {angle.origin(), Vec2(angle.origin() + Vec2(0.5, 0.5))}) {
-    const Pose pose_b = pose(0, at.x(), at.y());
+    const Pose pose_b = turnedAndMoved(0, at.x(), at.y());
     ASSERT_FALSE(exact::collide(angle, Pose::Identity(), block, pose_b));
     EXPECT_FALSE(collide(angle, Pose::Identity(), block, pose_b));
     EXPECT_FALSE(collide(block, pose_b, angle, Pose::Identity()));
@@ -292,12 +293,12 @@ TEST(Clearance, OfOverlappingRegionsIsThere) {
   const Polygon a({regular(40, 1)}), b({regular(30, 0.8)});
   int claims = 0;
   for (double x = 0; x < 1.8; x += 0.05) {
-    const Pose here = Pose::Identity(), there = pose(0, x, 0);
+    const Pose here = Pose::Identity(), there = turnedAndMoved(0, x, 0);
     const Outcome outcome = collideByHierarchy({a.data(), here, b.data(), there}, {}, 0, Wanted::Clearance);
     ASSERT_TRUE(outcome.collides);
     if (outcome.clearance == 0) continue;
     ++claims;
-    ASSERT_TRUE(exact::collide(a, Pose::Identity(), b, pose(0, x + outcome.clearance, 0))) << x;
+    ASSERT_TRUE(exact::collide(a, Pose::Identity(), b, turnedAndMoved(0, x + outcome.clearance, 0))) << x;
   }
   EXPECT_GT(claims, 5);
 }
@@ -314,7 +315,7 @@ Ring spiked(double height) {
 TEST(Tolerance, IsLessThanWhatTwoBoxesMayHide) {
   const Polygon a({spiked(0.5)}), b({spiked(0.5)});
   const auto apart = [&](double dx, double dy, double margin, double tolerance) {
-    Pose pose_b = pose(0, 20 + dx, 1 + dy);
+    Pose pose_b = turnedAndMoved(0, 20 + dx, 1 + dy);
     pose_b.linear() << -1, 0, 0, -1;
     return collide(a, Pose::Identity(), b, pose_b, CollideOptions{margin, tolerance});
   };
@@ -334,7 +335,7 @@ TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
   const CollideOptions options{0, 0.1}, tolerant{0, 1};
   EXPECT_FALSE(collide(a, here, b, here, options));
   EXPECT_FALSE(collide(b, here, a, here, options));
-  for (const double x : {0, 6, 50}) EXPECT_EQ(collide(a, here, one, pose(0, x, 0), options), x == 6);
+  for (const double x : {0, 6, 50}) EXPECT_EQ(collide(a, here, one, turnedAndMoved(0, x, 0), options), x == 6);
 
   // A mast between two dots, and between two of four: about as long as they are apart, and longer by far.
   const auto dot = [](double x, double y) { return rectangle(x, y, x + 0.01, y + 0.01); };
@@ -343,7 +344,7 @@ TEST(Tolerance, LeavesTheSpaceBetweenRingsFree) {
     const Polygon mast({rectangle(-0.001, -length, 0.001, length)});
     EXPECT_FALSE(collide(mast, here, two, here, tolerant)) << length;
     EXPECT_FALSE(collide(mast, here, four, here, tolerant)) << length;
-    EXPECT_TRUE(collide(mast, here, two, pose(0, 10, 0), tolerant)) << length;
+    EXPECT_TRUE(collide(mast, here, two, turnedAndMoved(0, 10, 0), tolerant)) << length;
   }
 }
 
@@ -362,8 +363,8 @@ TEST(Ray, ThroughVerticesFarAway) {
     const double t = i % 2 == 0 ? random.real(0.01, 0.99) : 1 - std::pow(10, random.real(-5, -2));
     const Vec2 point = built.origin() + t * (v - built.origin());
     ASSERT_EQ(locate(built, point), Location::Inside);
-    const Pose frame = pose(random.real(0, 6.28), 0, 0);
-    Pose pose_dot = pose(random.real(0, 6.28), 0, 0);
+    const Pose frame = turnedAndMoved(random.real(0, 6.28), 0, 0);
+    Pose pose_dot = turnedAndMoved(random.real(0, 6.28), 0, 0);
     pose_dot.translation() = frame * point - pose_dot * far;
     const PosedPair by_tree(built.data(), frame, dot.data(), pose_dot),
         by_scan(scanned.data(), frame, dot.data(), pose_dot);

@@ -23,7 +23,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Polygon square(double size) { return Polygon({scaled(rectangle(0, 0, 1, 1), size)}); }
 
-Pose at(double x, double y) { return pose(0, x, y); }
+Pose at(double x, double y) { return turnedAndMoved(0, x, y); }
 
 /// Between the corners (1, 1) and (4, 5).
 TEST(Distance, ThreeFourFiveAtEverySize) {
@@ -142,7 +142,7 @@ TEST(DistanceCache, KeepsTheHintOfOnePair) {
   const Polygon a({regular(40, 3), regular(5, 1)}), b({regular(30, 1)}), c({regular(30, 1)});
   PairCache cache;
   for (int i = 0; i < 1000; ++i) {
-    const Pose pose_b = pose(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
+    const Pose pose_b = turnedAndMoved(0.001 * i, 6 * std::cos(0.001 * i), 6 * std::sin(0.001 * i));
     ASSERT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
     EXPECT_FALSE(hintOf(cache).back_off.isOn()) << i;
   }
@@ -156,7 +156,7 @@ TEST(DistanceCache, BacksOffWhileHintsDoNotHelp) {
   const Polygon a({scaled(regular(40, 1), 3), regular(5, 1)}), b({regular(30, 1)});
   PairCache cache;
   const auto asks = [&](double angle) {
-    const Pose pose_b = pose(angle, 4.1 * std::cos(angle), 4.1 * std::sin(angle));
+    const Pose pose_b = turnedAndMoved(angle, 4.1 * std::cos(angle), 4.1 * std::sin(angle));
     EXPECT_EQ(distance(a, at(0, 0), b, pose_b, cache).distance, distance(a, at(0, 0), b, pose_b).distance);
   };
   int rests = 0;
@@ -178,9 +178,9 @@ TEST(Distance, NamesTheEdgesOfDividedSides) {
     double x;
     EdgeIndex edge;
   } table[] = {{plain, 1.5, 4}, {plain, 0.5, 6}, {plain, 0.125, 7}, {back, 1.5, 4}, {back, 0.5, 2}};
-  for (const Pose& pose_a : {Pose(Pose::Identity()), mirrored(pose(1, 3, -2))})
+  for (const Pose& pose_a : {Pose(Pose::Identity()), mirrored(turnedAndMoved(1, 3, -2))})
     for (const auto& [a, x, edge] : table) {
-      const Pose pose_b = pose_a * pose(0, x, 2.5);
+      const Pose pose_b = pose_a * turnedAndMoved(0, x, 2.5);
       const DistanceResult found = distance(a, pose_a, wedge, pose_b);
       EXPECT_EQ(found.edge_a, edge) << x;
       EXPECT_TRUE(found.edge_b == 0 || found.edge_b == 1);

@@ -215,7 +215,7 @@ TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
     for (int k = 0; k < discs.count; ++k)
       EXPECT_EQ(locate(*polygon, data.origin + data.unit * Vec2(discs.x[k], discs.y[k])), Location::Inside);
   }
-  EXPECT_FALSE(collide(frame, Pose::Identity(), peg, pose(0, 0.3, 0.2)));
+  EXPECT_FALSE(collide(frame, Pose::Identity(), peg, turnedAndMoved(0, 0.3, 0.2)));
 }
 
 /// The radius is no more than what is certain, even where the polygon's frame has few digits left for it.

@@ -82,7 +82,7 @@ TEST(NearestOnSegment, IsAtARightAngleFromEitherSide) {
 
 TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
   const Polygon b({rectangle(0, 0, 1, 1)}), c({rectangle(0, 0, 1, 1)}), a({rectangle(0, 0, 3, 3)});
-  const Pose here = Pose::Identity(), there = pose(0.1, 2, 3);
+  const Pose here = Pose::Identity(), there = turnedAndMoved(0.1, 2, 3);
   // The larger first, whatever the poses. Of equal ones the poses decide, and never which one was made first.
   EXPECT_TRUE(detail::inOrder(a.data(), here, b.data(), there));
   EXPECT_FALSE(detail::inOrder(b.data(), there, a.data(), here));

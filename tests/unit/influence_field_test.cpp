@@ -129,8 +129,8 @@ TEST(InfluenceField, AnIslandAtTheTipOfABodyIsInIt) {
   prepare(room);
   prepare(tip);
   EXPECT_TRUE(collide(room, Pose::Identity(), tip, Pose::Identity()));
-  EXPECT_FALSE(collide(room, Pose::Identity(), tip, pose(0, -0.04, 0)));
-  EXPECT_FALSE(collide(room, Pose::Identity(), tip, pose(0, 5, 0)));
+  EXPECT_FALSE(collide(room, Pose::Identity(), tip, turnedAndMoved(0, -0.04, 0)));
+  EXPECT_FALSE(collide(room, Pose::Identity(), tip, turnedAndMoved(0, 5, 0)));
 }
 
 /// Each edge that comes into a box is shown.
@@ -193,9 +193,9 @@ TEST(InfluenceField, NoAnswerDependsOnIt) {
     const double size = radius * std::pow(10, random.real(-3, -1));
     const Ring ring = star(random, random.integer(3, 12), 0.3, 1);
     const Polygon small = random.oneIn(5) ? point({0, 0}) : Polygon({scaled(ring, size)});
-    const Pose pose_a = pose(random.real(0, 6), radius, -radius);
+    const Pose pose_a = turnedAndMoved(random.real(0, 6), radius, -radius);
     for (int k = 0; k < 60; ++k) {
-      Pose pose_b = pose(random.real(0, 6), 0, 0);
+      Pose pose_b = turnedAndMoved(random.real(0, 6), 0, 0);
       if (random.oneIn(4)) pose_b = distorted(random, pose_b);
       const EdgeIndex edge = anyEdge(random, with);
       const Vec2 away = random.coin() ? radius * Vec2(random.real(-1, 1), random.real(-1, 1))

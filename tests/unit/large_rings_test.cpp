@@ -56,14 +56,14 @@ TEST(LargeRings, AnnulusAroundADiscWithoutTouching) {
   onSmallStack([] {
     const Polygon annulus({regular(kVertices, 2), regular(kVertices, 1.0001)}), disc({regular(kVertices, 1)});
     EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, Pose::Identity()));
-    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 0.00009, 0)));
-    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 0.00011, 0)));
-    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 1.5, 0)));
-    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, pose(1, 3.1, 0)));
+    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, turnedAndMoved(1, 0.00009, 0)));
+    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, turnedAndMoved(1, 0.00011, 0)));
+    EXPECT_TRUE(collideAllWays(annulus, Pose::Identity(), disc, turnedAndMoved(1, 1.5, 0)));
+    EXPECT_FALSE(collideAllWays(annulus, Pose::Identity(), disc, turnedAndMoved(1, 3.1, 0)));
     EXPECT_EQ(locate(annulus, {1.5, 0}), Location::Inside);
     EXPECT_EQ(locate(annulus, {0, 0}), Location::Outside);
     for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper})
-      EXPECT_FALSE(collide(strategy, annulus, Pose::Identity(), disc, pose(0, 50, 0)));
+      EXPECT_FALSE(collide(strategy, annulus, Pose::Identity(), disc, turnedAndMoved(0, 50, 0)));
   });
 }
 
@@ -71,12 +71,12 @@ TEST(LargeRings, TwoStarsOverlappingNearAndFar) {
   onSmallStack([] {
     Random random(7);
     const Polygon a({star(random, kVertices, 0.9, 1)}), b({star(random, kVertices, 0.9, 1)});
-    EXPECT_TRUE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 1.5, 0)));
+    EXPECT_TRUE(collideAllWays(a, Pose::Identity(), b, turnedAndMoved(0.5, 1.5, 0)));
     EXPECT_TRUE(collideAllWays(a, Pose::Identity(), b, Pose::Identity()));
-    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 2.0001, 0)));
-    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, pose(0.5, 1e9, 0)));
-    EXPECT_TRUE(collide(a, Pose::Identity(), b, pose(0.5, 3, 0), CollideOptions{1.1, 0}));
-    EXPECT_FALSE(collide(a, Pose::Identity(), b, pose(0.5, 3, 0), CollideOptions{0.9, 0}));
+    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, turnedAndMoved(0.5, 2.0001, 0)));
+    EXPECT_FALSE(collideAllWays(a, Pose::Identity(), b, turnedAndMoved(0.5, 1e9, 0)));
+    EXPECT_TRUE(collide(a, Pose::Identity(), b, turnedAndMoved(0.5, 3, 0), CollideOptions{1.1, 0}));
+    EXPECT_FALSE(collide(a, Pose::Identity(), b, turnedAndMoved(0.5, 3, 0), CollideOptions{0.9, 0}));
   });
 }
 
@@ -84,7 +84,7 @@ TEST(LargeRings, InterlockingCombs) {
   onSmallStack([] {
     const int teeth = kVertices / 4;
     const Polygon up({comb(teeth, 1, 0.4, 1)}), down({comb(teeth, 1, 0.4, 1)});
-    Pose turned = pose(0, 1.4 + teeth - 1 - 0.5, 1.5);
+    Pose turned = turnedAndMoved(0, 1.4 + teeth - 1 - 0.5, 1.5);
     turned.linear() << -1, 0, 0, -1;
     EXPECT_FALSE(collideAllWays(up, Pose::Identity(), down, turned));
     turned.translation().x() += 0.11;

@@ -169,7 +169,7 @@ TEST(ContactAtTheStart, PosesOffRigid) {
       EXPECT_NEAR(impact->time, exactly, 2 * off + 1e-6) << off << shear;
     }
   for (int i = 0; i < 200; ++i) {
-    const Pose at = throughFloat(support::pose(0.03 * i, 0, 0));
+    const Pose at = throughFloat(support::turnedAndMoved(0.03 * i, 0, 0));
     Motion motion = Motion::still(at);
     motion.start.translation() += at.linear() * Vec2(0, 1e-9);
     motion.angle = -M_PI;
@@ -185,7 +185,7 @@ TEST(ContactAtTheStart, SegmentsBesideEachOther) {
   for (const double gap : {0.0, 3.4e-9, 1e-12, 1e-15})
     for (const bool is_exact : {false, true})
       for (const double angle : {0.0, 0.3, 2.0, -M_PI}) {
-        const Pose at = is_exact ? Pose(Pose::Identity()) : throughFloat(support::pose(0.7, 0, 0));
+        const Pose at = is_exact ? Pose(Pose::Identity()) : throughFloat(support::turnedAndMoved(0.7, 0, 0));
         Motion above = Motion::still(at), along = Motion::still(at);
         above.start.translation() += at.linear() * Vec2(0.25, gap);
         along.start.translation() = above.start.translation();

@@ -19,17 +19,17 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 TEST(Motion, KeepsWhatIsWritten) {
-  EXPECT_EQ(Motion::still(pose(0.3, 1, 2)).at(0.7).matrix(), pose(0.3, 1, 2).matrix());
-  const Motion motion = Motion::translation(throughFloat(pose(0.3, 1, 2)), {4, -8});
+  EXPECT_EQ(Motion::still(turnedAndMoved(0.3, 1, 2)).at(0.7).matrix(), turnedAndMoved(0.3, 1, 2).matrix());
+  const Motion motion = Motion::translation(throughFloat(turnedAndMoved(0.3, 1, 2)), {4, -8});
   EXPECT_EQ(motion.at(0.25).linear(), motion.start.linear());
   EXPECT_EQ(motion.at(0.5).translation(), Vec2(motion.start.translation() + Vec2(2, -4)));
-  const Motion between = Motion::between(throughFloat(pose(0.3, 1e15, 2)), pose(2, 3, 4), {5, 6});
+  const Motion between = Motion::between(throughFloat(turnedAndMoved(0.3, 1e15, 2)), turnedAndMoved(2, 3, 4), {5, 6});
   EXPECT_EQ(between.at(0).matrix(), between.start.matrix());
 }
 
 TEST(Motion, TurnsAboutThePivotWhileThatMovesStraight) {
   Motion motion;
-  motion.start = pose(kPi / 2, 10, 0);
+  motion.start = turnedAndMoved(kPi / 2, 10, 0);
   motion.pivot = {2, 0};  // at (10, 2) in the world
   motion.shift = {0, 8};
   motion.angle = kPi;
@@ -41,7 +41,7 @@ TEST(Motion, TurnsAboutThePivotWhileThatMovesStraight) {
 
 TEST(Motion, TurnsCounterClockwiseInTheWorldThoughMirrored) {
   Motion motion;
-  motion.start = mirrored(pose(0, 0, 0));
+  motion.start = mirrored(turnedAndMoved(0, 0, 0));
   motion.angle = kPi / 2;
   EXPECT_NEAR((motion.at(1) * Vec2(1, 0) - Vec2(0, 1)).norm(), 0, 1e-15);
   EXPECT_NEAR((motion.at(1) * Vec2(0, 1) - Vec2(1, 0)).norm(), 0, 1e-15);
@@ -49,7 +49,7 @@ TEST(Motion, TurnsCounterClockwiseInTheWorldThoughMirrored) {
 
 TEST(Motion, KeepsThePivotToRoundingThroughManyTurns) {
   Motion motion;
-  motion.start = pose(1, 2, 3);
+  motion.start = turnedAndMoved(1, 2, 3);
   motion.pivot = {4, 5};
   motion.angle = 2e4 * kPi;
   const Vec2 pivot = motion.start * motion.pivot;

@@ -109,8 +109,8 @@ double leastDistance(const PosedPair& pair, const Found& found) {
 /// Two boxes whose sides face each other: no feature alone is the nearest.
 Case sideBySide(Random& random) {
   const Polygon box({rectangle(0, 0, 2, 2)});
-  const Pose at = pose(random.real(0, 6.3), random.real(-1, 1), 0);
-  return {box, at, box, at * pose(0, 2 + random.real(0, 1), random.real(-1.5, 1.5))};
+  const Pose at = turnedAndMoved(random.real(0, 6.3), random.real(-1, 1), 0);
+  return {box, at, box, at * turnedAndMoved(0, 2 + random.real(0, 1), random.real(-1.5, 1.5))};
 }
 
 /// What is said to meet does, where it is said to.
@@ -247,7 +247,7 @@ TEST(NearestFeatures, LooksAtEdgesBeforeAndBehindAVertex) {
       for (Vec2& p : ring) p.x() *= side;
     const Polygon a({rings[0]}), b({rings[1]});
     const Pose still = Pose::Identity();
-    Pose turned = pose(0.3 * side, 0, 0);  // so that two vertices are the nearest
+    Pose turned = turnedAndMoved(0.3 * side, 0, 0);  // so that two vertices are the nearest
     turned.translation() = above[0] - turned * above[0];
     PairCache cache;
     EXPECT_NEAR(distance(a, still, b, turned, cache).distance, 0.0008, 1e-12);
@@ -279,7 +279,7 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
                {"an axis in doubles leads past the features", square, square, {1e15, 0}, Meeting::Unknown}};
   const Pose here = Pose::Identity();
   for (const auto& [name, a, b, shift, meeting] : table) {
-    const Pose there = pose(0, shift.x(), shift.y());
+    const Pose there = turnedAndMoved(0, shift.x(), shift.y());
     EXPECT_EQ(nearestOf(PosedPair(a.data(), here, b.data(), there)).meeting, meeting) << name;
   }
 }
@@ -303,7 +303,7 @@ TEST(NearestFeatures, GoesOnAlongBothOutlines) {
   FeaturePair tried;
   int were_tried = 0;
   for (int i = 0; i < 200; ++i) {
-    const Pose here = Pose::Identity(), there = pose(-0.013 * i, -1.0 + 0.01 * i, 1.01);
+    const Pose here = Pose::Identity(), there = turnedAndMoved(-0.013 * i, -1.0 + 0.01 * i, 1.01);
     const PosedVertices vertices(PosedPair(floor.data(), here, wheel.data(), there));
     const NearestFeatures nearest = findNearestFeatures(vertices, tried);
     ASSERT_TRUE(nearest.are_apart) << i;

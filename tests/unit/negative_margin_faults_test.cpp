@@ -289,7 +289,7 @@ TEST(NegativeMarginFaults, AtTheStartRoundingDecidesForTimesOfImpactAsForCollide
   int deep = 0, shallow = 0;
   for (int i = 0; i < scaledCount(2000); ++i) {
     const Polygon ring({star(random, random.integer(3, 9), 0.3, 1)});
-    const Pose pose_a = pose(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
+    const Pose pose_a = turnedAndMoved(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
     const EdgeIndex edge = random.integer(0, static_cast<int>(ring.edgeCount()) - 1);
     const Vec2 on = ring.edgeStart(edge) + random.unit() * (ring.edgeEnd(edge) - ring.edgeStart(edge));
     const Pose pose_b = at((pose_a * on).x(), (pose_a * on).y());

@@ -81,7 +81,7 @@ TEST(PenetrationCache, IsAValue) {
   const Polygon a = anyOutline(random), b = anyOutline(random), other = anyOutline(random);
   PairCache cache, old;
   for (int i = 0; i < 40; ++i) {
-    const Case c{a, Pose::Identity(), b, pose(0.3, 0.2 + 0.002 * i, 0.1)};
+    const Case c{a, Pose::Identity(), b, turnedAndMoved(0.3, 0.2 + 0.002 * i, 0.1)};
     PairCache copy = i % 3 == 0 ? old : cache;
     ask(c, cache);
     ask(c, copy);

@@ -23,7 +23,7 @@ namespace {
 const Pose kIdentity = Pose::Identity();
 const Vec2 kAnyWay(0, 0);
 
-Pose at(double x, double y) { return pose(0, x, y); }
+Pose at(double x, double y) { return turnedAndMoved(0, x, y); }
 
 struct Expected {
   double depth;
@@ -33,7 +33,8 @@ struct Expected {
 /// What is expected, under turned, mirrored and shifted poses, in either order.
 void expectPenetration(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,
                        const Expected& expected) {
-  for (const Pose& frame : {kIdentity, pose(0.7, 3, -2), mirrored(pose(-2.1, 0.1, 5)), pose(1.1, 1e6, -1e6)}) {
+  for (const Pose& frame : {kIdentity, turnedAndMoved(0.7, 3, -2), mirrored(turnedAndMoved(-2.1, 0.1, 5)),
+                            turnedAndMoved(1.1, 1e6, -1e6)}) {
     const Pose in_a = frame * pose_a, in_b = frame * pose_b;
     const double error = 1e-12 + 1e-14 * frame.translation().norm();
     const auto p = penetration(a, in_a, b, in_b), q = penetration(b, in_b, a, in_a);
@@ -100,7 +101,7 @@ TEST(Convex, SegmentsAndPoints) {
   const Polygon segment({{{-1, 0}, {0, 0}, {1, 0}}}), point({{{1, 1}, {1, 1}, {1, 1}}});
   expectPenetration(square(), kIdentity, segment, at(0, 0.75), {0.25, {0, 1}});
   expectPenetration(square(), kIdentity, point, at(-1, -0.5), {0.5, {0, 1}});
-  expectPenetration(segment, kIdentity, segment, pose(1, 0, 0), {std::sin(1), kAnyWay});
+  expectPenetration(segment, kIdentity, segment, turnedAndMoved(1, 0, 0), {std::sin(1), kAnyWay});
   EXPECT_EQ(penetration(segment, kIdentity, segment, at(1, 0))->depth, 0);
   EXPECT_EQ(penetration(point, kIdentity, point, kIdentity)->depth, 0);
 }
@@ -118,7 +119,7 @@ TEST(Convex, OfEdgesWhoseGapsPlainDoublesCannotTellApartTheLeastCounts) {
   for (int k = 8; k >= -8; --k) wall.emplace_back(100 + k, -k * k * bend);
   const Polygon a({wall}), b({{{100.5, -below}, {101.5, 3}, {99.5, 3}}});
   for (int k = 0; k < 60; ++k) {
-    const Pose both = pose(0.1 * k, 0, 0);
+    const Pose both = turnedAndMoved(0.1 * k, 0, 0);
     const auto p = penetration(a, both, b, both);
     ASSERT_TRUE(p && p->optimal);
     EXPECT_NEAR(p->depth / (below - 0.5 * bend), 1, 4e-15) << k;
@@ -164,7 +165,7 @@ TEST(NotConvex, HolesThatARodJustFits) {
     return Polygon({{{-length / 2, 0}, {0, 0.01}, {length / 2, 0}, {0, 0.2}}});
   };
   const double half = std::sqrt(0.5);
-  const Pose along = pose(0.25 * static_cast<double>(EIGEN_PI), 0, 0);
+  const Pose along = turnedAndMoved(0.25 * static_cast<double>(EIGEN_PI), 0, 0);
   EXPECT_FALSE(collide(plate, kIdentity, rod(5.6), along));
   // Pushed by 0.3 along the diagonal its end is 0.3 - (2.828 - 2.8) beyond the corner: each coordinate comes back.
   Pose pushed = along;
@@ -330,7 +331,8 @@ TEST(Sizes, OfWhatIsNotConvexTheAnswerIsScaled) {
     const double slope = std::pow(10, random.real(-5, -1)), size = slope * random.real(0.01, 0.3);
     const Polygon notched({{{2, 2 * slope}, {0, 0}, {2, -2 * slope}, {2, -2}, {-2, -2}, {-2, 2}, {2, 2}}});
     const Polygon peg({scaled(comb(2, 0.5, 0.25, 1), size)});
-    const Pose pose_a = pose(random.real(0, 6), 0, 0), pose_b = pose(random.real(0, 6), 0.2 * size / slope, 0);
+    const Pose pose_a = turnedAndMoved(random.real(0, 6), 0, 0),
+               pose_b = turnedAndMoved(random.real(0, 6), 0.2 * size / slope, 0);
     const double margin = random.coin() ? 0 : size * random.unit();
     const auto p = penetration(notched, pose_a, peg, pose_b, {margin});
     if (!p) continue;
@@ -424,7 +426,7 @@ TEST(Penetration, IsOptimalWhereDepthAndBoundAgree) {
       return Polygon({ring});
     };
     const Polygon a = shape(1), b = shape(ratio);
-    const Pose there = pose(random.real(0, 6.28), random.real(-1, 1), random.real(-1, 1));
+    const Pose there = turnedAndMoved(random.real(0, 6.28), random.real(-1, 1), random.real(-1, 1));
     const auto p = penetration(a, kIdentity, b, there);
     ++all;
     if (!p) continue;

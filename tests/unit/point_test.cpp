@@ -124,7 +124,7 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   CollideOptions options;
   options.margin = 5;
   // Beside the largest disc inside, in another one.
-  const Pose here = Pose::Identity(), beside = pose(0, 10, 0);
+  const Pose here = Pose::Identity(), beside = turnedAndMoved(0, 10, 0);
   const detail::Outcome certificate = detail::findCertificate(bar.data(), here, dot.data(), beside,
                                                               detail::defectOf(here, beside), options, {10, true});
   EXPECT_TRUE(certificate.collides);
@@ -133,7 +133,7 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   // Discs are sooner asked than certificates; this one is kept nevertheless.
   detail::remember(detail::contentsOf(cache).collision, bar.data(), here, dot.data(), beside, true,
                    certificate.clearance);
-  EXPECT_FALSE(collide(bar, pose(0, 0, 0), dot, pose(0, 10, 6), cache));
+  EXPECT_FALSE(collide(bar, turnedAndMoved(0, 0, 0), dot, turnedAndMoved(0, 10, 6), cache));
 }
 
 /// Coordinates that cancel leave plain doubles less than what is promised.
@@ -168,8 +168,8 @@ TEST(Point, IsWithinALimitThatTheTruthIsWithin) {
   for (int i = 0; i < asked; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon p = point({6, 5});
-    const Pose pose_a = pose(random.real(-3, 3), 0, 0);
-    Pose pose_p = pose(random.real(-3, 3), 0, 0);
+    const Pose pose_a = turnedAndMoved(random.real(-3, 3), 0, 0);
+    Pose pose_p = turnedAndMoved(random.real(-3, 3), 0, 0);
     pose_p.translation() = Vec2(random.real(2, 3), random.real(2, 3)) - pose_p * p.origin();
     LimitedOptions options;
     options.limit = nudged(distance(many, pose_a, p, pose_p).distance, -1);

@@ -68,7 +68,7 @@ TEST(Options, AreOfTheirEnumeration) {
 /// A certificate that pays for any motion, of this pair in either order, of another one, or none.
 TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
-  const Pose here = Pose::Identity(), far = pose(0, 1e6, 0);
+  const Pose here = Pose::Identity(), far = turnedAndMoved(0, 1e6, 0);
   PairCache of_pair, of_another;
   detail::remember(detail::contentsOf(of_pair).collision, a.data(), here, b.data(), far, false, 9e5);
   detail::remember(detail::contentsOf(of_another).collision, a.data(), here, a.data(), far, false, 9e5);
@@ -111,12 +111,12 @@ TEST(PoseCheck, NamesTheEntryThatIsNotFinite) {
 
 TEST(PoseCheck, TakesRotationsMirrorsAndFloatRounding) {
   for (int i = 0; i < 100; ++i) {
-    const Pose turned = pose(0.0628 * i, i, -i);
+    const Pose turned = turnedAndMoved(0.0628 * i, i, -i);
     EXPECT_NO_THROW(checkPose(turned));
     EXPECT_NO_THROW(checkPose(throughFloat(turned)));
     EXPECT_NO_THROW(checkPose(mirrored(throughFloat(turned))));
   }
-  EXPECT_NO_THROW(checkPose(pose(0, 1e308, -1e308)));
+  EXPECT_NO_THROW(checkPose(turnedAndMoved(0, 1e308, -1e308)));
 }
 
 /// The largest entry of R^T R - I.
@@ -170,7 +170,7 @@ TEST(PoseCheck, TakesLongProductsOfFloats) {
 /// By every entry of R^T R alone, a little inside and a little outside.
 TEST(PoseCheck, HoldsAtItsLimit) {
   const auto stretched = [](double xx, double xy, double yy) {
-    Pose result = pose(0.7, 1, 2);
+    Pose result = turnedAndMoved(0.7, 1, 2);
     Eigen::Matrix2d root;  // the square root of I + (xx, xy; xy, yy), but for third powers
     root << xx / 2 - (xx * xx + xy * xy) / 8, xy / 2 - xy * (xx + yy) / 8, 0, yy / 2 - (yy * yy + xy * xy) / 8;
     root(1, 0) = root(0, 1);
@@ -222,7 +222,7 @@ TEST(NearestRigid, IsRigidToARoundingAndNoRigidMapIsNearer) {
 
 TEST(NearestRigid, KeepsWhatIsRigidAndMendsWhatFloatsDrifted) {
   EXPECT_TRUE(nearestRigid(Pose::Identity()).isApprox(Pose::Identity(), 0));
-  const Pose turned = mirrored(pose(2.5, 1e10, -4));
+  const Pose turned = mirrored(turnedAndMoved(2.5, 1e10, -4));
   EXPECT_LE(distanceBetween(nearestRigid(turned), turned), 1e-15);
   Eigen::Isometry2f product = Eigen::Isometry2f::Identity();
   for (int k = 0; k < 100000; ++k) product.rotate(0.01f);
@@ -259,7 +259,7 @@ TEST(Refusal, LeavesTheCachesAsTheyWere) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   for (const Strategy strategy : {Strategy::Hierarchy, Strategy::Paper}) {
     StrategyCaches caches;
-    collide(strategy, a, Pose::Identity(), b, pose(0, 1.5, 0), caches);
+    collide(strategy, a, Pose::Identity(), b, turnedAndMoved(0, 1.5, 0), caches);
     const StrategyCaches copy = caches;
     for (const Pose& bad : badPoses())
       EXPECT_THROW(collide(strategy, a, Pose::Identity(), b, bad, caches), std::invalid_argument);

@@ -128,7 +128,7 @@ TEST(WorldFrame, MapsWithinItsErrorWhereOriginsCancel) {
 
 TEST(WorldFrame, IsInfiniteOnlyBeyondTheLargestDouble) {
   const Polygon a({rectangle(-1e307, -1e307, 1e307, 1e307)}), b({rectangle(4e307, -1e307, 1.4e308, 1e307)});
-  const Pose here = Pose::Identity(), right = pose(0, 1.1e308, 0);
+  const Pose here = Pose::Identity(), right = turnedAndMoved(0, 1.1e308, 0);
   const PosedPair pair(a.data(), here, b.data(), right);
   const WorldFrame frame(pair);
   const Vec2 left = frame.toWorld(frame.fromB({4e307, 1e307}));  // b's S is at 2e308

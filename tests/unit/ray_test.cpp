@@ -277,7 +277,7 @@ TEST(RayAll, MeetsAMargin) {
   const auto far = castRayAll(huge, Pose::Identity(), {-kLargest, 0}, {kLargest, 0}, {1e305});
   ASSERT_EQ(far.size(), 2u);
   EXPECT_EQ(castRay(huge, Pose::Identity(), {-kLargest, 0}, {kLargest, 0}, {1e305})->fraction, far[0].begin.fraction);
-  EXPECT_EQ(castRayAll(posts, pose(kLargest / 2, 1, 0), {-kLargest, 0}, {kLargest, 0}, {0.5}).size(), 1u);
+  EXPECT_EQ(castRayAll(posts, turnedAndMoved(kLargest / 2, 1, 0), {-kLargest, 0}, {kLargest, 0}, {0.5}).size(), 1u);
   EXPECT_NEAR(far[0].begin.point.x() / 1e306, -1.1, 1e-6);
   EXPECT_NEAR(far[0].end.point.x() / 1e306, 1.1, 1e-6);
   EXPECT_NEAR(far[1].end.point.x() / 1e306, 11.1, 1e-6);

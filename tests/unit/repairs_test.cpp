@@ -35,11 +35,11 @@ TEST(Repair1MaskInsideAnInfluenceArea, TurningOnTheSpotIntoContact) {
   const Polygon wall({rectangle(-10, -10, 10, 0)}), rod({rectangle(-4, -0.1, 4, 0.1)});
   for (const Strategy strategy : kStrategies) {
     StrategyCaches cache;
-    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, 1), cache));
-    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0.01, 0, 1), cache));
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, turnedAndMoved(0, 0, 1), cache));
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, turnedAndMoved(0.01, 0, 1), cache));
     // The centroid hasn't moved: its mask is the same.
-    EXPECT_TRUE(collide(strategy, wall, Pose::Identity(), rod, pose(kQuarter, 0, 1), cache));
-    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, 1), cache));
+    EXPECT_TRUE(collide(strategy, wall, Pose::Identity(), rod, turnedAndMoved(kQuarter, 0, 1), cache));
+    EXPECT_FALSE(collide(strategy, wall, Pose::Identity(), rod, turnedAndMoved(0, 0, 1), cache));
   }
 }
 
@@ -48,33 +48,33 @@ TEST(Repair1MaskInsideAnInfluenceArea, SlidingWithinItIntoContact) {
   for (const Strategy strategy : kStrategies) {
     StrategyCaches cache;
     for (double height = 3; height > 0; height -= 0.01)
-      EXPECT_EQ(collide(strategy, wall, Pose::Identity(), rod, pose(0, 0, height), cache), height - 0.1 <= 0);
+      EXPECT_EQ(collide(strategy, wall, Pose::Identity(), rod, turnedAndMoved(0, 0, height), cache), height - 0.1 <= 0);
   }
 }
 
 // 2. Edge tests alone miss containment.
 TEST(Repair2Containment, OfEitherInTheOther) {
   const Polygon block({rectangle(0, 0, 10, 10)}), small({rectangle(0, 0, 1, 1)}), rod({rectangle(0, 0, 9.8, 0.1)});
-  EXPECT_TRUE(collideAllWays(block, Pose::Identity(), small, pose(0, 4, 4)));
+  EXPECT_TRUE(collideAllWays(block, Pose::Identity(), small, turnedAndMoved(0, 4, 4)));
   // Within the influence areas of several edges, and yet no edges meet.
-  EXPECT_TRUE(collideAllWays(block, Pose::Identity(), rod, pose(0, 0.1, 5)));
-  EXPECT_FALSE(collideAllWays(block, Pose::Identity(), rod, pose(0, 0.1, 10.5)));
+  EXPECT_TRUE(collideAllWays(block, Pose::Identity(), rod, turnedAndMoved(0, 0.1, 5)));
+  EXPECT_FALSE(collideAllWays(block, Pose::Identity(), rod, turnedAndMoved(0, 0.1, 10.5)));
 }
 
 TEST(Repair2Containment, OfOneRingAmongSeveral) {
   const Polygon block({rectangle(0, 0, 4, 4)});
   const Polygon parts({rectangle(40, 0, 41, 1), rectangle(20, 0, 21, 1), rectangle(1, 1, 2, 2)});
   EXPECT_TRUE(collideAllWays(parts, Pose::Identity(), block, Pose::Identity()));
-  EXPECT_FALSE(collideAllWays(parts, Pose::Identity(), block, pose(0, 5, 5)));
+  EXPECT_FALSE(collideAllWays(parts, Pose::Identity(), block, turnedAndMoved(0, 5, 5)));
   const Polygon pair({rectangle(0, 0, 1, 1), rectangle(6, 0, 7, 1)});
   const Polygon wide({rectangle(0, 0, 20, 20)});
-  EXPECT_TRUE(collideAllWays(wide, Pose::Identity(), pair, pose(0, -4, 5)));
+  EXPECT_TRUE(collideAllWays(wide, Pose::Identity(), pair, turnedAndMoved(0, -4, 5)));
 }
 
 TEST(Repair2Containment, NotInAHole) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), small({rectangle(0, 0, 1, 1)});
-  EXPECT_FALSE(collideAllWays(frame, Pose::Identity(), small, pose(0, 4, 4)));
-  EXPECT_TRUE(collideAllWays(frame, Pose::Identity(), small, pose(0, 0.5, 0.5)));
+  EXPECT_FALSE(collideAllWays(frame, Pose::Identity(), small, turnedAndMoved(0, 4, 4)));
+  EXPECT_TRUE(collideAllWays(frame, Pose::Identity(), small, turnedAndMoved(0, 0.5, 0.5)));
 }
 
 // 3. The one-sided influence area is on the wrong side for edges whose triangle is negative.
@@ -104,8 +104,8 @@ TEST(Repair3NegativeTriangles, ContactsInHolesAndConcavitiesAreFound) {
   for (const Strategy strategy : kStrategies) {
     StrategyCaches in_hole, in_notch;
     for (double x = 3; x <= 5; x += 0.25) {
-      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, pose(0, x, 0), in_hole), x >= 4);
-      EXPECT_EQ(collide(strategy, notched, Pose::Identity(), peg, pose(0, x, 4), in_notch), x <= 3 || x >= 5);
+      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, turnedAndMoved(0, x, 0), in_hole), x >= 4);
+      EXPECT_EQ(collide(strategy, notched, Pose::Identity(), peg, turnedAndMoved(0, x, 4), in_notch), x <= 3 || x >= 5);
     }
   }
 }
@@ -124,7 +124,7 @@ TEST(Repair4FillRule, ClockwiseRingsAndWindingsOfTwo) {
     EXPECT_EQ(locate(Polygon({outer, reversed(inner)}, FillRule::NonZero), {2, 1.5}), Location::Outside);
     EXPECT_EQ(locate(Polygon({outer, inner, inner}, FillRule::EvenOdd), {2, 1.5}), Location::Inside);
   }
-  EXPECT_TRUE(collideAllWays(clockwise, Pose::Identity(), Polygon({rectangle(0, 0, 1, 1)}), pose(0, 1, 1)));
+  EXPECT_TRUE(collideAllWays(clockwise, Pose::Identity(), Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 1, 1)));
 }
 
 // 5. Edges collinear with S have sign 0 and contribute nothing to the sum, yet their points are boundary points.
@@ -144,7 +144,7 @@ TEST(Repair5EdgesThroughS, TheirPointsAreOnTheBoundary) {
 TEST(Repair6CollinearEdges, ThatOverlapOrTouchCollide) {
   const Polygon below({rectangle(0, -1, 4, 0)});
   const auto above = [](double from, double to) { return Polygon({{{from, 0}, {to, 0}, {to, 1}, {from, 1}}}); };
-  for (const Pose& common : {Pose::Identity(), pose(0.3, 7, -5), mirrored(pose(1.1, 1e6, 3))}) {
+  for (const Pose& common : {Pose::Identity(), turnedAndMoved(0.3, 7, -5), mirrored(turnedAndMoved(1.1, 1e6, 3))}) {
     for (const double x : {-1.0, -0.5, 0.0, 1.5, 3.0, 4.0})
       EXPECT_TRUE(collideAllWays(below, common, above(x, x + 1), common)) << x;
     EXPECT_FALSE(collideAllWays(below, common, above(-1, -5e-324), common));
@@ -191,7 +191,7 @@ TEST(Repair7ExactZones, AJumpFromTheHoleIntoTheSolidIsAnotherZone) {
   for (const Strategy strategy : kStrategies) {
     StrategyCaches cache;
     for (const double x : {0.0, 0.5, 7.5, 7.0, 0.0, -7.5, 0.25})
-      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, pose(0, x, 0), cache), std::abs(x) > 5);
+      EXPECT_EQ(collide(strategy, frame, Pose::Identity(), peg, turnedAndMoved(0, x, 0), cache), std::abs(x) > 5);
   }
 }
 

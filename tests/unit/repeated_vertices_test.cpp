@@ -69,7 +69,7 @@ TEST(RepeatedVertices, AreNoEdgesOfResults) {
   for (const std::vector<Ring>& rings : cases()) {
     const Polygon polygon(rings);
     for (int i = 0; i < 24; ++i) {
-      const Pose at = pose(0.3 * i, 4 * std::cos(0.26 * i), 4 * std::sin(0.26 * i));
+      const Pose at = turnedAndMoved(0.3 * i, 4 * std::cos(0.26 * i), 4 * std::sin(0.26 * i));
       const DistanceResult found = distance(polygon, kHere, probe, at);
       const Vec2 v = polygon.edgeStart(found.edge_a), w = polygon.edgeEnd(found.edge_a);
       EXPECT_LE((found.point_a - v).norm() + (w - found.point_a).norm(), (w - v).norm() + 1e-12);
@@ -83,9 +83,9 @@ TEST(RepeatedVertices, AreNoEdgesOfResults) {
   EXPECT_TRUE(Polygon({repeated(rectangle(-1, -1, 1, 1), 9)}).isConvex());
   // As the vertices that begin a side are written: the last of those that repeat.
   const Polygon square({repeated(rectangle(-1, -1, 1, 1), 3)});
-  EXPECT_EQ(distance(square, kHere, probe, pose(0, 0, -4)).edge_a, 1);
-  EXPECT_EQ(distance(square, kHere, probe, pose(0, 4, 0)).edge_a, 4);
-  EXPECT_EQ(distance(square, kHere, probe, pose(0, -4, 0)).edge_a, 10);
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, 0, -4)).edge_a, 1);
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, 4, 0)).edge_a, 4);
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, -4, 0)).edge_a, 10);
 }
 
 TEST(RepeatedVertices, OfASegmentOrAPointCrossOnce) {
@@ -107,7 +107,7 @@ TEST(RepeatedVertices, OfAPointLastInContact) {
     for (const int times : {3, 4, 17}) {
       const Ring one{{0.25, 0.5}};
       const Polygon written({repeated(one, times)}), twice(std::vector<Ring>{repeated(one, times), repeated(one, 3)});
-      const Motion way = Motion::translation(pose(0, -2.25, -0.5), {8, 0}), on = way.part(0.375, 1);
+      const Motion way = Motion::translation(turnedAndMoved(0, -2.25, -0.5), {8, 0}), on = way.part(0.375, 1);
       const auto expected = conflicts(floor, kStill, point(one[0]), way, {0, time_error});
       ASSERT_EQ(expected.size(), 1u);
       for (const Polygon& polygon : {written, twice}) {

@@ -135,7 +135,7 @@ TEST(RingStarts, ChangeNoAnswer) {
     std::vector<Pose> poses;
     std::vector<detail::Outcome> first;
     for (int k = 0; k < 30; ++k)
-      poses.push_back(pose(random.real(0, 6), random.real(-1, 1) * 60, random.real(-1, 1) * 60));
+      poses.push_back(turnedAndMoved(random.real(0, 6), random.real(-1, 1) * 60, random.real(-1, 1) * 60));
     const auto ask = [&](const Pose& at) {
       // Only where no edges meet is there anything to find.
       if (!exact::meetingEdges(a, Pose::Identity(), b, at).empty()) return detail::Outcome();
@@ -172,7 +172,7 @@ TEST(RingStarts, AreFoundAtTheEndOfWhatHoldsThem) {
   const Pose still = Pose::Identity();
   for (int i = 0; i < 30; ++i)
     for (const double x : {2 * i - 0.05, 2 * i - 1.75}) {
-      const Pose at = pose(0, x, -0.1);
+      const Pose at = turnedAndMoved(0, x, -0.1);
       const auto start = static_cast<std::ptrdiff_t>(5 * i);  // four edges and the closing vertex
       EXPECT_EQ(detail::findContainment(detail::PosedPair(islands.data(), still, bar.data(), at)).edge_a, start);
       EXPECT_EQ(detail::findContainment(detail::PosedPair(bar.data(), at, islands.data(), still)).edge_b, start);
@@ -197,8 +197,8 @@ TEST(RingStarts, OfManyRingsInASmallPolygon) {
     if (random.coin()) small.push_back(regular(random.integer(3, 8), 0.15));
     const Polygon robot(small);
     for (int k = 0; k < 10; ++k) {
-      const Pose still = pose(random.real(0, 6), 3, -2);
-      const Pose at = still * pose(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
+      const Pose still = turnedAndMoved(random.real(0, 6), 3, -2);
+      const Pose at = still * turnedAndMoved(random.real(0, 6), random.real(-9, 9), random.real(-9, 9));
       const bool truth = exact::collide(map, still, robot, at);
       EXPECT_EQ(collide(map, still, robot, at), truth) << i;
       EXPECT_EQ(collide(robot, at, map, still), truth) << i;

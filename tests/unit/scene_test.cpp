@@ -24,13 +24,13 @@ const Polygon kSquare({rectangle(-1, -1, 1, 1)});
 
 TEST(Scene, ReportsWhatCollidesAndWhatBeganAndEnded) {
   Scene scene;
-  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 2, 0)),
-                    c = scene.add(kSquare, pose(0, 4.5, 0));
+  const Scene::Body a = scene.add(kSquare, turnedAndMoved(0, 0, 0)), b = scene.add(kSquare, turnedAndMoved(0, 2, 0)),
+                    c = scene.add(kSquare, turnedAndMoved(0, 4.5, 0));
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}}));  // they touch
   EXPECT_EQ(scene.began(), (std::vector<BodyPair>{{a, b}}));
   EXPECT_TRUE(scene.ended().empty());
 
-  scene.move(b, pose(0, 2.5, 0));
+  scene.move(b, turnedAndMoved(0, 2.5, 0));
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{b, c}}));
   EXPECT_EQ(scene.began(), (std::vector<BodyPair>{{b, c}}));
   EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{a, b}}));
@@ -40,11 +40,11 @@ TEST(Scene, ReportsWhatCollidesAndWhatBeganAndEnded) {
   EXPECT_TRUE(scene.ended().empty());
 
   scene.remove(c);
-  const Scene::Body d = scene.add(kSquare, pose(0, 2.5, 1));
+  const Scene::Body d = scene.add(kSquare, turnedAndMoved(0, 2.5, 1));
   EXPECT_NE(Scene::indexOf(d), Scene::indexOf(c));  // of which something is left to report
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{b, d}}));
   EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{b, c}}));
-  EXPECT_EQ(Scene::indexOf(scene.add(kSquare, pose(0, 100, 0))), Scene::indexOf(c));
+  EXPECT_EQ(Scene::indexOf(scene.add(kSquare, turnedAndMoved(0, 100, 0))), Scene::indexOf(c));
   EXPECT_EQ(scene.size(), 4u);
 }
 
@@ -52,17 +52,18 @@ TEST(Scene, AddsMarginsUp) {
   Scene scene;
   BodyOptions round;
   round.margin = 0.25;
-  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0), round), b = scene.add(kSquare, pose(0, 2.5, 0), round);
+  const Scene::Body a = scene.add(kSquare, turnedAndMoved(0, 0, 0), round),
+                    b = scene.add(kSquare, turnedAndMoved(0, 2.5, 0), round);
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}}));
-  scene.move(b, pose(0, nudged(2.5, 1), 0));
+  scene.move(b, turnedAndMoved(0, nudged(2.5, 1), 0));
   EXPECT_TRUE(scene.collisions().empty());
 
   CollideOptions options;
   options.margin = 0.5;
-  EXPECT_TRUE(scene.collides(kSquare, pose(0, -2.75, 0), options));
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, nudged(-2.75, -1), 0), options));
-  EXPECT_EQ(scene.nearest(kSquare, pose(0, -3, 0))->result.distance, 0.75);
-  EXPECT_EQ(scene.nearest(kSquare, pose(0, -3, 0))->body, a);
+  EXPECT_TRUE(scene.collides(kSquare, turnedAndMoved(0, -2.75, 0), options));
+  EXPECT_FALSE(scene.collides(kSquare, turnedAndMoved(0, nudged(-2.75, -1), 0), options));
+  EXPECT_EQ(scene.nearest(kSquare, turnedAndMoved(0, -3, 0))->result.distance, 0.75);
+  EXPECT_EQ(scene.nearest(kSquare, turnedAndMoved(0, -3, 0))->body, a);
 }
 
 TEST(Scene, AsksCategoriesAndMasks) {
@@ -71,13 +72,14 @@ TEST(Scene, AsksCategoriesAndMasks) {
   wall.category = 2;
   ghost.category = 4;
   ghost.mask = 1;
-  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0)), b = scene.add(kSquare, pose(0, 0, 0), wall),
-                    c = scene.add(kSquare, pose(0, 0, 0), ghost);
+  const Scene::Body a = scene.add(kSquare, turnedAndMoved(0, 0, 0)),
+                    b = scene.add(kSquare, turnedAndMoved(0, 0, 0), wall),
+                    c = scene.add(kSquare, turnedAndMoved(0, 0, 0), ghost);
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{a, b}, {a, c}}));
-  EXPECT_EQ(scene.colliding(kSquare, pose(0, 0, 0)), (std::vector<Scene::Body>{a, b, c}));
-  EXPECT_EQ(scene.colliding(kSquare, pose(0, 0, 0), {}, 2 | 4), (std::vector<Scene::Body>{b, c}));
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0), {}, 8));
-  EXPECT_FALSE(scene.nearest(kSquare, pose(0, 0, 0), {}, 8));
+  EXPECT_EQ(scene.colliding(kSquare, turnedAndMoved(0, 0, 0)), (std::vector<Scene::Body>{a, b, c}));
+  EXPECT_EQ(scene.colliding(kSquare, turnedAndMoved(0, 0, 0), {}, 2 | 4), (std::vector<Scene::Body>{b, c}));
+  EXPECT_FALSE(scene.collides(kSquare, turnedAndMoved(0, 0, 0), {}, 8));
+  EXPECT_FALSE(scene.nearest(kSquare, turnedAndMoved(0, 0, 0), {}, 8));
 }
 
 TEST(Scene, CastsRaysAtWhatIsFirst) {
@@ -85,8 +87,9 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
   BodyOptions round;
   round.margin = 0.5;
   round.category = 2;
-  const Scene::Body far = scene.add(kSquare, pose(0, 9, 0)), near = scene.add(kSquare, pose(0, 5, 0)),
-                    disc = scene.add(point({0, 0}), pose(0, 2, 0), round);
+  const Scene::Body far = scene.add(kSquare, turnedAndMoved(0, 9, 0)),
+                    near = scene.add(kSquare, turnedAndMoved(0, 5, 0)),
+                    disc = scene.add(point({0, 0}), turnedAndMoved(0, 2, 0), round);
   const auto hit = scene.castRay({0, 0}, {10, 0});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->body, disc);
@@ -104,7 +107,7 @@ TEST(Scene, CastsRaysAtWhatIsFirst) {
   EXPECT_EQ(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, {}, 2)->body, disc);
   EXPECT_NEAR(scene.castRay({kLargest, 0.25}, {-kLargest, 0.25}, {}, 2)->hit.fraction, 0.5, 1e-9);
   // Of two at the same place, the one that came first.
-  scene.add(kSquare, pose(0, 5, 0));
+  scene.add(kSquare, turnedAndMoved(0, 5, 0));
   EXPECT_EQ(scene.castRay({0, 0}, {10, 0}, {}, 1)->body, near);
   EXPECT_THROW(scene.castRay({0, 0}, {std::numeric_limits<double>::infinity(), 0}), std::invalid_argument);
 }
@@ -114,16 +117,16 @@ TEST(Scene, AsksBodiesWhoseDiscsDecideNothing) {
   Scene scene;
   for (int i = 1; i <= 40; ++i) {
     const double r = i + 0.5;
-    scene.add(Polygon({rectangle(-r, -r, r, r), rectangle(-i, -i, i, i)}), pose(0, 0, 0));
+    scene.add(Polygon({rectangle(-r, -r, r, r), rectangle(-i, -i, i, i)}), turnedAndMoved(0, 0, 0));
   }
   const Polygon dot({rectangle(-0.125, -0.125, 0.125, 0.125)});
   for (int i = 1; i <= 40; ++i) {
-    EXPECT_TRUE(scene.collides(dot, pose(0, i + 0.25, 0))) << i;
-    EXPECT_TRUE(scene.collides(dot, pose(0, 0, -(i + 0.625)))) << i;  // touches
-    EXPECT_FALSE(scene.collides(dot, pose(0, i + 0.75, i / 2.0))) << i;
+    EXPECT_TRUE(scene.collides(dot, turnedAndMoved(0, i + 0.25, 0))) << i;
+    EXPECT_TRUE(scene.collides(dot, turnedAndMoved(0, 0, -(i + 0.625)))) << i;  // touches
+    EXPECT_FALSE(scene.collides(dot, turnedAndMoved(0, i + 0.75, i / 2.0))) << i;
   }
   for (Scene::Body body = 0; body < 40; ++body) scene.remove(body);
-  EXPECT_FALSE(scene.collides(dot, pose(0, 1.25, 0)));
+  EXPECT_FALSE(scene.collides(dot, turnedAndMoved(0, 1.25, 0)));
 }
 
 /// A point collides where it is in the interior, also where touching is allowed; on the border it doesn't.
@@ -133,11 +136,11 @@ TEST(Scene, PointsCollideInsideWhereTouchingIsAllowed) {
   CollideOptions open;
   open.touching = Touching::Allowed;
   Scene scene;
-  const Scene::Body body = scene.add(square, pose(0, 0, 0));
-  EXPECT_EQ(scene.anyColliding(dot, pose(0, 0, 0)), body);
+  const Scene::Body body = scene.add(square, turnedAndMoved(0, 0, 0));
+  EXPECT_EQ(scene.anyColliding(dot, turnedAndMoved(0, 0, 0)), body);
   for (const double x : {0.0, 0.875}) {
-    const Pose at = pose(0, x, 0);
-    EXPECT_EQ(collide(dot, at, square, pose(0, 0, 0), open), x == 0);
+    const Pose at = turnedAndMoved(0, x, 0);
+    EXPECT_EQ(collide(dot, at, square, turnedAndMoved(0, 0, 0), open), x == 0);
     EXPECT_EQ(scene.collides(dot, at, open), x == 0);
     EXPECT_EQ(scene.colliding(dot, at, open).empty(), x > 0);
     EXPECT_EQ(scene.anyColliding(dot, at), body);
@@ -153,12 +156,12 @@ TEST(Scene, MeetsWhatLiesWithinAndFarFromTheLargestDisc) {
   const Polygon outer({sickle}), inner({bean});
   prepare(outer), prepare(inner);
   Scene outside, inside;
-  outside.add(outer, pose(0, 0, 0));
-  inside.add(inner, pose(0, 9.5, 0.6));
-  EXPECT_TRUE(outside.collides(inner, pose(0, 9.5, 0.6)));
-  EXPECT_TRUE(inside.collides(outer, pose(0, 0, 0)));
-  EXPECT_FALSE(outside.collides(inner, pose(0, 5, 0)));
-  EXPECT_FALSE(inside.collides(outer, pose(0, 4.5, 0.6)));
+  outside.add(outer, turnedAndMoved(0, 0, 0));
+  inside.add(inner, turnedAndMoved(0, 9.5, 0.6));
+  EXPECT_TRUE(outside.collides(inner, turnedAndMoved(0, 9.5, 0.6)));
+  EXPECT_TRUE(inside.collides(outer, turnedAndMoved(0, 0, 0)));
+  EXPECT_FALSE(outside.collides(inner, turnedAndMoved(0, 5, 0)));
+  EXPECT_FALSE(inside.collides(outer, turnedAndMoved(0, 4.5, 0.6)));
 }
 
 /// Two bodies whose distances differ by an ulp that rounding makes: whichever comes first, the nearest is the one that
@@ -190,25 +193,25 @@ TEST(Scene, NearestIsNoMatterOfWhoComesFirst) {
 TEST(Scene, OfNothing) {
   Scene scene;
   EXPECT_TRUE(scene.collisions().empty());
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0)));
-  EXPECT_FALSE(scene.nearest(kSquare, pose(0, 0, 0)));
+  EXPECT_FALSE(scene.collides(kSquare, turnedAndMoved(0, 0, 0)));
+  EXPECT_FALSE(scene.nearest(kSquare, turnedAndMoved(0, 0, 0)));
   EXPECT_FALSE(scene.firstImpact(kSquare, Motion()));
   EXPECT_TRUE(scene.impacts(std::vector<BodyMotion>()).empty());
   EXPECT_TRUE(scene.impacts(std::vector<BodyTrajectory>()).empty());
   EXPECT_FALSE(scene.castRay({0, 0}, {1, 0}));
-  const Scene::Body a = scene.add(kSquare, pose(0, 0, 0));
+  const Scene::Body a = scene.add(kSquare, turnedAndMoved(0, 0, 0));
   scene.remove(a);
   EXPECT_TRUE(scene.collisions().empty());
-  EXPECT_FALSE(scene.collides(kSquare, pose(0, 0, 0)));
+  EXPECT_FALSE(scene.collides(kSquare, turnedAndMoved(0, 0, 0)));
 }
 
 /// Up and back again: where it begins and ends says nothing of where it was.
 TEST(Scene, FollowsWaysThatBend) {
   const Polygon beam({rectangle(-20, -1, 20, 1)});
   Scene scene;
-  const Scene::Body post = scene.add(Polygon({rectangle(-1, 2.5, 1, 4)}), pose(0, 0, 0)),
-                    moving = scene.add(beam, pose(0, 0, -50));
-  Motion motion = Motion::translation(pose(0, 0, 0), {0, 8});
+  const Scene::Body post = scene.add(Polygon({rectangle(-1, 2.5, 1, 4)}), turnedAndMoved(0, 0, 0)),
+                    moving = scene.add(beam, turnedAndMoved(0, 0, -50));
+  Motion motion = Motion::translation(turnedAndMoved(0, 0, 0), {0, 8});
   motion.shift_2 = {0, -8};
   const double time = 0.25;  // 8 t - 8 t^2 = 1.5
   const auto first = scene.firstImpact(beam, motion);
@@ -223,10 +226,10 @@ TEST(Scene, FollowsWaysThatBend) {
 /// All of it within what is one interval of the others' time.
 TEST(Scene, FindsTheImpactsOfADashBetweenLongWaits) {
   Scene scene;
-  const auto here = pose(0, 0, 0);
-  const Scene::Body moving = scene.add(kSquare, here), post = scene.add(kSquare, pose(0, 60, 0));
+  const auto here = turnedAndMoved(0, 0, 0);
+  const Scene::Body moving = scene.add(kSquare, here), post = scene.add(kSquare, turnedAndMoved(0, 60, 0));
   const Trajectory way =
-      Trajectory::through({{0, here}, {500, here}, {501, pose(0, 90, 0)}, {502, here}, {1000, here}});
+      Trajectory::through({{0, here}, {500, here}, {501, turnedAndMoved(0, 90, 0)}, {502, here}, {1000, here}});
   const auto impacts = scene.impacts({{moving, way}});
   ASSERT_EQ(impacts.size(), 1u);
   EXPECT_EQ(impacts[0].pair, (BodyPair{moving, post}));
@@ -238,9 +241,9 @@ TEST(Scene, FindsTheImpactsOfADashBetweenLongWaits) {
 /// The first body to be near is not the first to be hit.
 TEST(Scene, LooksOnAfterAnImpactThatIsLater) {
   Scene scene;
-  scene.add(Polygon({{{-5, -4}, {100, -4}, {100, 9}, {95, 9}, {95, -3}, {-5, -3}}}), pose(0, 0, 0));
-  const Scene::Body first = scene.add(kSquare, pose(0, 50, 0));
-  const auto impact = scene.firstImpact(kSquare, Motion::translation(pose(0, 0, 0), {98, 0}));
+  scene.add(Polygon({{{-5, -4}, {100, -4}, {100, 9}, {95, 9}, {95, -3}, {-5, -3}}}), turnedAndMoved(0, 0, 0));
+  const Scene::Body first = scene.add(kSquare, turnedAndMoved(0, 50, 0));
+  const auto impact = scene.firstImpact(kSquare, Motion::translation(turnedAndMoved(0, 0, 0), {98, 0}));
   ASSERT_TRUE(impact);
   EXPECT_EQ(impact->body, first);
 }
@@ -251,12 +254,12 @@ TEST(Scene, CastsRaysWithMargins) {
   BodyOptions options, both;
   options.margin = 0.25;
   both.margin = 0.75;
-  scene.add(kSquare, pose(0, 20, 0.5), options);
-  wider.add(kSquare, pose(0, 20, 0.5), both);
+  scene.add(kSquare, turnedAndMoved(0, 20, 0.5), options);
+  wider.add(kSquare, turnedAndMoved(0, 20, 0.5), both);
   for (const Vec2& to : {Vec2(40, 0), Vec2(40, 1), Vec2(40, 4), Vec2(19, 0), Vec2(19, 0.5)}) {
     const auto hit = scene.castRay({0, 0}, to, {0.5}), expected = wider.castRay({0, 0}, to);
     ASSERT_EQ(hit.has_value(), expected.has_value()) << to.transpose();
-    const auto alone = castRay(kSquare, pose(0, 20, 0.5), {0, 0}, to, {0.75});
+    const auto alone = castRay(kSquare, turnedAndMoved(0, 20, 0.5), {0, 0}, to, {0.75});
     ASSERT_EQ(alone.has_value(), expected.has_value()) << to.transpose();
     if (!hit) continue;
     EXPECT_EQ(hit->hit.fraction, expected->hit.fraction);
@@ -292,8 +295,8 @@ TEST(Scene, SharesTheGapOfTwo) {
   const Polygon disc({regular(64, 1)});
   for (const bool first_is_fast : {false, true}) {
     Scene scene;
-    scene.add(disc, pose(0, 0, 0));
-    scene.add(disc, pose(0, 1.8, 1.8));  // their boxes meet, at rest
+    scene.add(disc, turnedAndMoved(0, 0, 0));
+    scene.add(disc, turnedAndMoved(0, 1.8, 1.8));  // their boxes meet, at rest
     const Vec2 slow(0.02, 0.02), fast(0.05, 0.05);
     expectEveryFrameOfTwo(scene, first_is_fast ? fast : slow, first_is_fast ? Vec2(-slow) : Vec2(-fast), 7);
   }
@@ -303,8 +306,8 @@ TEST(Scene, SharesWhatMarginsLeaveOfTheGap) {
   Scene scene;
   BodyOptions round;
   round.margin = 0.5;
-  scene.add(Polygon({regular(64, 1)}), pose(0, 0, 0), round);
-  scene.add(Polygon({regular(64, 1)}), pose(0, 3.2, 0), round);
+  scene.add(Polygon({regular(64, 1)}), turnedAndMoved(0, 0, 0), round);
+  scene.add(Polygon({regular(64, 1)}), turnedAndMoved(0, 3.2, 0), round);
   expectEveryFrameOfTwo(scene, {0.05, 0}, {-0.05, 0}, 4);
 }
 
@@ -318,14 +321,14 @@ TEST(Scene, AnswersInContainersAsAnywhere) {
     BodyOptions body;
     if (random.oneIn(3)) body.margin = random.real(0, 0.5);
     Scene scene;
-    const Scene::Body is_in = scene.add(container, pose(random.oneIn(2) ? 0 : random.real(0, 6), 0, 0), body);
+    const Scene::Body is_in = scene.add(container, turnedAndMoved(random.oneIn(2) ? 0 : random.real(0, 6), 0, 0), body);
     const Polygon part({rectangle(-0.5, -0.5, 0.5, 0.5)});
     for (int k = 0; k < 100; ++k) {
       if (k == 25) body.margin += 0.25, scene.setOptions(is_in, body);  // where it was clear it may not be now
-      if (k == 50) scene.move(is_in, pose(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
+      if (k == 50) scene.move(is_in, turnedAndMoved(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
       CollideOptions options;
       if (random.oneIn(3)) options.margin = random.real(0, 0.5);
-      Pose at = pose(0, random.real(-8, 8), random.real(-5, 5));
+      Pose at = turnedAndMoved(0, random.real(-8, 8), random.real(-5, 5));
       if (i % 3 == 0 && random.oneIn(4)) at.translation().y() = 3.5 - body.margin - options.margin, ++by_the_wall;
       CollideOptions sum;
       sum.margin = options.margin + body.margin;

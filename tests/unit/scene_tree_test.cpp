@@ -124,7 +124,7 @@ TEST(BoxTree, PacksWhatCannotBeDivided) {
 
 TEST(ClearBox, LearnsWhereAContainerIsClear) {
   const Polygon container({rectangle(-9, -9, 9, 9), rectangle(-7, -4, 7, 4)});
-  const Pose at = pose(0, 100, 50);
+  const Pose at = turnedAndMoved(0, 100, 50);
   const detail::Bounds body{91, 41, 109, 59}, seed{95, 47, 96, 48}, in_the_wall{92, 47, 95, 48};
   detail::ClearBox clear;
   EXPECT_FALSE(clear.holds(seed));

@@ -95,7 +95,7 @@ TEST(SignedDistance, NormalLeadsFromPointToPoint) {
     const double size = std::pow(10, random.real(-12, 0)),
                  past = random.coin() ? 0 : std::pow(10, random.real(-10, -7));
     const Polygon b = segment({0, 0}, {1, 0}), a(Ring{{0, 0}, {-size, -size}, {size, -0.7 * size}});
-    Pose pose_b = support::pose(random.real(0, 6), random.real(-1, 1), random.real(-1, 1)), pose_a = pose_b;
+    Pose pose_b = support::turnedAndMoved(random.real(0, 6), random.real(-1, 1), random.real(-1, 1)), pose_a = pose_b;
     pose_a.translation() = pose_b * Vec2(past, -random.real(0.1, 1));
     const SignedDistance s = signedDistance(a, pose_a, b, pose_b);
     ends += s.point_b == pose_b.translation();

@@ -71,9 +71,9 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
       return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
     const double size = i % 3 == 0 ? 0.1 : 1, angle = random.real(0, 6.28), away = random.real(0, 1 + size);
-    const Pose pose_a = pose(random.real(0, 6.28), 1, 2);
+    const Pose pose_a = turnedAndMoved(random.real(0, 6.28), 1, 2);
     const Case c{polygon(1), random.coin() ? pose_a : mirrored(pose_a), polygon(size),
-                 pose(random.real(0, 6.28), 1 + away * std::cos(angle), 2 + away * std::sin(angle))};
+                 turnedAndMoved(random.real(0, 6.28), 1 + away * std::cos(angle), 2 + away * std::sin(angle))};
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
     ASSERT_TRUE(of_a && of_b);
@@ -126,7 +126,7 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
       if (random.oneIn(3)) rings.push_back(ring(random.integer(3, 4)));
       return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
-    const Pose at = pose(0.3, 1, 2), by = pose(0, random.integer(2, 6), random.integer(-4, 4));
+    const Pose at = turnedAndMoved(0.3, 1, 2), by = turnedAndMoved(0, random.integer(2, 6), random.integer(-4, 4));
     const Case c{polygon(), random.coin() ? at : mirrored(at), polygon(), at * by};
     const PosedPair pair = largerFirst(c);
     const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;

@@ -39,7 +39,7 @@ Polygon wheel(std::size_t vertices, double inner) {
   return Polygon({ring});
 }
 
-const Pose kHome = Pose::Identity(), kNear = pose(0, 1.5, 0.1), kApart = pose(0.3, 2.5, 0);
+const Pose kHome = Pose::Identity(), kNear = turnedAndMoved(0, 1.5, 0.1), kApart = turnedAndMoved(0.3, 2.5, 0);
 
 constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
     [](const Polygon& a, const Polygon& b) {
@@ -60,7 +60,7 @@ constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
     [](const Polygon& a, const Polygon& b) { penetration(a, kHome, b, kNear); },
     [](const Polygon& a, const Polygon& b) {
       timeOfImpact(a, Motion::still(kHome), b, Motion::translation(kApart, {-1, 0}));
-      timeOfImpact(a, Motion::still(kHome), b, Motion::between(kApart, pose(2, -2, 0.1)));
+      timeOfImpact(a, Motion::still(kHome), b, Motion::between(kApart, turnedAndMoved(2, -2, 0.1)));
     },
     [](const Polygon& a, const Polygon& b) {
       conflicts(a, Motion::still(kHome), b, Motion::translation(kApart, {-5, 0}), {0, 1e-3});
@@ -73,7 +73,7 @@ constexpr void (*kQueries[])(const Polygon& a, const Polygon& b) = {
     [](const Polygon& a, const Polygon& b) {
       Scene scene;
       const Scene::Body first = scene.add(a, kHome);
-      for (int i = 0; i < 40; ++i) scene.add(b, pose(0.1 * i, 2.0 * i, 1.5));
+      for (int i = 0; i < 40; ++i) scene.add(b, turnedAndMoved(0.1 * i, 2.0 * i, 1.5));
       scene.collisions();
       scene.move(first, kNear);
       scene.collisions();

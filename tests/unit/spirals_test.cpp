@@ -62,7 +62,7 @@ TEST(Spirals, AnswerAsAllPairsDo) {
     for (const double angle : {0.0, 0.001}) {
       Pose turned = in.motion.start;
       turned.translation().x() += x;
-      hits += expectAllQueriesRight(in.a, Pose::Identity(), in.b, turned * pose(angle, 0, 0)) ? 1 : 0;
+      hits += expectAllQueriesRight(in.a, Pose::Identity(), in.b, turned * turnedAndMoved(angle, 0, 0)) ? 1 : 0;
       ++asked;
     }
   EXPECT_GT(hits, 0);
@@ -85,7 +85,7 @@ TEST(Spirals, AnswerForWhatIsAmongTheirTurns) {
   const int asked = scaledCount(40);
   for (int i = 0; i < asked; ++i) {
     const Polygon robot({star(random, 12, 0.7, 1.2)});
-    const Pose somewhere = pose(random.real(0, 6), random.real(-100, 100), random.real(-100, 100));
+    const Pose somewhere = turnedAndMoved(random.real(0, 6), random.real(-100, 100), random.real(-100, 100));
     hits += expectAllQueriesRight(spiral, Pose::Identity(), robot, somewhere) ? 1 : 0;
   }
   EXPECT_GT(hits, asked / 4);

@@ -32,7 +32,7 @@ TEST(Stages, ComeWhenQueriesHavePaidForThem) {
   const Polygon a({star(random, 64, 0.5, 1)}), b({star(random, 64, 0.5, 1)});
   int by_edges = 0, by_hierarchy = 0;
   for (int i = 0; i < 1000 && innerDiscsIfBuilt(a.data()) == nullptr; ++i) {
-    collide(a, kIdentity, b, pose(random.real(0, 6), random.real(0.8, 1.2), 0));
+    collide(a, kIdentity, b, turnedAndMoved(random.real(0, 6), random.real(0.8, 1.2), 0));
     ++(hierarchyIfBuilt(a.data()) == nullptr ? by_edges : by_hierarchy);
   }
   EXPECT_GE(by_edges, 3);
@@ -47,7 +47,7 @@ TEST(Stages, ComeAtOnceWhereEdgesAloneCostMore) {
   Random random(2);
   for (const int n : {1000, 20000}) {
     const Polygon a({star(random, n, 0.9, 1)}), b({star(random, n, 0.9, 1)});
-    EXPECT_TRUE(collide(a, kIdentity, b, pose(0, 0.5, 0)));
+    EXPECT_TRUE(collide(a, kIdentity, b, turnedAndMoved(0, 0.5, 0)));
     EXPECT_EQ(hierarchyIfBuilt(a.data()) != nullptr, n == 20000) << "pairs of boxes grow with the square of that";
   }
 }
@@ -58,14 +58,15 @@ TEST(Stages, AreOfThePolygonThatIsAskedOften) {
   Random random(2);
   const Polygon map({star(random, 500, 5, 10)});
   for (int i = 0; i < 40; ++i)
-    collide(map, kIdentity, Polygon({star(random, 8, 0.5, 1)}), pose(0, random.real(4, 8), random.real(-3, 3)));
+    collide(map, kIdentity, Polygon({star(random, 8, 0.5, 1)}),
+            turnedAndMoved(0, random.real(4, 8), random.real(-3, 3)));
   EXPECT_NE(hierarchyIfBuilt(map.data()), nullptr);
 }
 
 TEST(Stages, WhatDiscsDecideDerivesNothing) {
   const UpTo paid(Stages::Paid);
   const Polygon a({regular(30, 1)}), b({regular(30, 1)});
-  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(collide(a, kIdentity, b, pose(0, 2.5, 0)));
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(collide(a, kIdentity, b, turnedAndMoved(0, 2.5, 0)));
   EXPECT_EQ(hierarchyIfBuilt(a.data()), nullptr);
 }
 
@@ -151,7 +152,7 @@ TEST(Stages, NothingIsBuiltAfterPrepare) {
   for (const Polygon& polygon : polygons) derived.push_back(derivedFrom(polygon));
   for (const Polygon& a : polygons)
     for (const Polygon& b : polygons)
-      for (const double x : {0.0, 0.3, 0.9, 1.8, 3.0}) askAll(a, b, pose(random.real(0, 6), x, 0.1));
+      for (const double x : {0.0, 0.3, 0.9, 1.8, 3.0}) askAll(a, b, turnedAndMoved(random.real(0, 6), x, 0.1));
   for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(derivedFrom(polygons[i]), derived[i]) << i;
 }
 

@@ -50,7 +50,7 @@ bool wellFormed(const std::string& text) {
 
 TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), peg({rectangle(0, 0, 2, 2)});
-  const Pose pose_b = pose(0, 7, 3);
+  const Pose pose_b = turnedAndMoved(0, 7, 3);
   SvgDrawing drawing;
   drawing.polygon(frame, Pose::Identity(), "#eee");
   drawing.polygon(peg, pose_b, "#abc");
@@ -86,7 +86,7 @@ TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
   const auto hits = [&](const Polygon& b, double lift) {
     SvgDrawing drawing;
     drawing.polygon(block, Pose::Identity(), "none");
-    drawing.hits(block, Pose::Identity(), b, pose(0, 0, lift));
+    drawing.hits(block, Pose::Identity(), b, turnedAndMoved(0, 0, lift));
     return count(drawing.str(), "<polyline ");
   };
   EXPECT_EQ(hits(upon, 0), 1 + 3);
@@ -97,14 +97,14 @@ TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
 TEST(Svg, FitsHitsThatAreAlone) {
   const Polygon block({rectangle(0, 0, 4, 4)});
   SvgDrawing drawing;
-  drawing.hits(block, Pose::Identity(), block, pose(0, 4, 0));
+  drawing.hits(block, Pose::Identity(), block, turnedAndMoved(0, 4, 0));
   EXPECT_EQ(count(drawing.str(), "<polyline "), 6);
   EXPECT_EQ(count(drawing.str(), "inf") + count(drawing.str(), "nan"), 0);
 }
 
 TEST(Svg, FitsWhatIsDrawn) {
   SvgDrawing drawing(400);
-  drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), pose(0, 100, 50), "none");
+  drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), turnedAndMoved(0, 100, 50), "none");
   const std::string svg = drawing.str();
   const std::string before_box = "viewBox=\"";
   ASSERT_EQ(count(svg, before_box), 1);
@@ -144,7 +144,7 @@ std::vector<Vec2> points(const std::string& list) {
 
 TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8), comb(12, 1, 0.5, 3)});
-  const Pose pose_frame = pose(0.5, 100, 20);
+  const Pose pose_frame = turnedAndMoved(0.5, 100, 20);
   std::size_t boxes_above = 0;
   for (int level = 0; level < 4; ++level) {
     SvgDrawing drawing;
@@ -173,7 +173,7 @@ TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
 TEST(Svg, InnerDiscsLieInTheRegion) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)});
   SvgDrawing drawing;
-  drawing.innerDiscs(frame, pose(0, 50, 7));
+  drawing.innerDiscs(frame, turnedAndMoved(0, 50, 7));
   const std::string svg = drawing.str();
   const std::vector<std::string> x = attributes(svg, "<circle", "cx"), y = attributes(svg, "<circle", "cy"),
                                  r = attributes(svg, "<circle", "r");
@@ -221,7 +221,8 @@ TEST(Svg, ContactsShowPointNormalAndDepth) {
 
 TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
   const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
-  const Motion still = Motion::still(Pose::Identity()), falling = Motion::translation(pose(0, 0.5, 10), {0, -16});
+  const Motion still = Motion::still(Pose::Identity()),
+               falling = Motion::translation(turnedAndMoved(0, 0.5, 10), {0, -16});
   const auto first = timeOfImpact(a, still, b, falling);
   ASSERT_TRUE(first.has_value());
   SvgDrawing drawing;
@@ -243,7 +244,7 @@ std::vector<double> viewBox(const std::string& svg) {
 
 TEST(Svg, ARoundRobotIsSeen) {
   SvgDrawing drawing;
-  drawing.polygon(point({0, 0}), pose(0, 3, 4), "#16a34a", "#333", 0.5);
+  drawing.polygon(point({0, 0}), turnedAndMoved(0, 3, 4), "#16a34a", "#333", 0.5);
   const std::string svg = drawing.str();
   EXPECT_TRUE(wellFormed(svg)) << svg;
   ASSERT_EQ(count(svg, "<path "), 2);
@@ -257,15 +258,15 @@ TEST(Svg, ARoundRobotIsSeen) {
   EXPECT_LE(box[1], -4.5);
   EXPECT_GE(box[1] + box[3], -3.5);
   SvgDrawing hollow;
-  hollow.polygon(point({0, 0}), pose(0, 0, 0), "none", "#123456", 0.5);
+  hollow.polygon(point({0, 0}), turnedAndMoved(0, 0, 0), "none", "#123456", 0.5);
   EXPECT_EQ(attributes(hollow.str(), "<path ", "stroke").back(), "#123456");
 }
 
 TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(4, 4, 6, 6)});
   SvgDrawing hollow, filled;
-  hollow.polygon(frame, pose(0, 20, 0), "none", "#123456", 0.5);
-  filled.polygon(frame, pose(0, 20, 0), "#eee", "#123456", 0.5);
+  hollow.polygon(frame, turnedAndMoved(0, 20, 0), "none", "#123456", 0.5);
+  filled.polygon(frame, turnedAndMoved(0, 20, 0), "#eee", "#123456", 0.5);
   const std::string svg = hollow.str();
   EXPECT_TRUE(wellFormed(svg)) << svg;
   ASSERT_EQ(count(svg, "<mask "), 1);
@@ -337,14 +338,14 @@ TEST(Svg, ASceneIsItsBodiesWithTheirMargins) {
   Scene scene;
   BodyOptions grown;
   grown.margin = 0.25;
-  scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 0, 0));
-  const Scene::Body gone = scene.add(Polygon({rectangle(0, 0, 9, 9)}), pose(0, 50, 0));
-  scene.add(Polygon({rectangle(0, 0, 1, 1)}), pose(0.5, 3, 0), grown);
+  scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 0, 0));
+  const Scene::Body gone = scene.add(Polygon({rectangle(0, 0, 9, 9)}), turnedAndMoved(0, 50, 0));
+  scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0.5, 3, 0), grown);
   scene.remove(gone);
   SvgDrawing drawing, by_hand;
   drawing.scene(scene, "#abc", "#def");
-  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), pose(0, 0, 0), "#abc", "#def");
-  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), pose(0.5, 3, 0), "#abc", "#def", 0.25);
+  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 0, 0), "#abc", "#def");
+  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0.5, 3, 0), "#abc", "#def", 0.25);
   EXPECT_EQ(drawing.str(), by_hand.str());
   SvgDrawing empty;
   empty.scene(Scene());
@@ -392,7 +393,7 @@ struct German : std::numpunct<char> {
 TEST(Svg, IsTheSameInEveryLocale) {
   const auto draw = [] {
     SvgDrawing drawing;
-    drawing.polygon(Polygon({rectangle(-1234.5, 0.25, 12345678, 9)}), pose(0.1, 0, 0), "none");
+    drawing.polygon(Polygon({rectangle(-1234.5, 0.25, 12345678, 9)}), turnedAndMoved(0.1, 0, 0), "none");
     drawing.text({0.5, 1000}, "1.5");
     return drawing.str();
   };

@@ -98,7 +98,8 @@ TEST(Threads, ShareAFreshMap) {
     std::vector<Ring> rings;
     for (int i = 0; i < 36; ++i) rings.push_back(star(random, 8, 0.2, 0.6, {i % 6, i / 6}));
     std::vector<Pose> poses;
-    for (int i = 0; i < 200; ++i) poses.push_back(pose(random.real(0, 6), random.real(-1, 6), random.real(-1, 6)));
+    for (int i = 0; i < 200; ++i)
+      poses.push_back(turnedAndMoved(random.real(0, 6), random.real(-1, 6), random.real(-1, 6)));
     const auto answers = [&](const Polygon& map) {
       const Polygon robot({rectangle(-0.2, -0.1, 0.2, 0.1)});
       std::vector<double> all;

@@ -62,8 +62,8 @@ const Motion kStill;
 TEST(TimeOfImpact, OfAPairAtRestFarApartIsNone) {
   const Polygon large({rectangle(-2, -2, 2, 2)}), small({rectangle(-1, -1, 1, 1)});
   for (const Vec2& far : {Vec2(1e12, 0), Vec2(0, -1e200), Vec2(1e300, 1e300)}) {
-    expectFree(large, kStill, small, Motion::still(pose(0, far.x(), far.y())));
-    expectFree(large, Motion::still(pose(0, far.x(), far.y())), small, kStill);
+    expectFree(large, kStill, small, Motion::still(turnedAndMoved(0, far.x(), far.y())));
+    expectFree(large, Motion::still(turnedAndMoved(0, far.x(), far.y())), small, kStill);
   }
 }
 
@@ -79,8 +79,8 @@ TEST(TimeOfImpact, SquareMeetsWall) {
 
 TEST(TimeOfImpact, CornerMeetsWall) {
   const Polygon square({rectangle(-1, -1, 1, 1)}), wall({rectangle(3, -10, 4, 10)});
-  const Impact impact =
-      expectImpact(square, Motion::translation(pose(kPi / 4, 0, 0.5), {2, 0}), wall, kStill, (3 - std::sqrt(2)) / 2);
+  const Impact impact = expectImpact(square, Motion::translation(turnedAndMoved(kPi / 4, 0, 0.5), {2, 0}), wall, kStill,
+                                     (3 - std::sqrt(2)) / 2);
   EXPECT_NEAR((impact.normal - Vec2(1, 0)).norm(), 0, 1e-7);
   EXPECT_NEAR((impact.point - Vec2(3, 0.5)).norm(), 0, 1e-5);
   EXPECT_EQ(impact.edge_b, 3);
@@ -90,7 +90,7 @@ TEST(TimeOfImpact, CornerMeetsWall) {
 TEST(TimeOfImpact, BulletDoesNotTunnel) {
   const Polygon bullet({rectangle(-5e-4, -5e-4, 5e-4, 5e-4)}), wall({rectangle(-5e-4, -50, 5e-4, 50)});
   for (const double angle : {0.0, 40.0}) {
-    const auto impact = timeOfImpact(bullet, turning(pose(0, -500, 0.3), angle, {1000, 0}), wall, kStill);
+    const auto impact = timeOfImpact(bullet, turning(turnedAndMoved(0, -500, 0.3), angle, {1000, 0}), wall, kStill);
     ASSERT_TRUE(impact);
     EXPECT_LE(impact->time, 0.5 - 0.9e-6);
     EXPECT_GE(impact->time, 0.5 - 2.3e-6);
@@ -103,7 +103,7 @@ TEST(TimeOfImpact, RodTurns350Degrees) {
   const double post_angle = 340 * kPi / 180;
   // A small square whose corner is at distance 1.5 and points back along the turn.
   const Polygon post({{{0, 0}, {0.05, 0.05}, {0.05, -0.05}}});
-  const Pose at_post = pose(post_angle + kPi / 2, 1.5 * std::cos(post_angle), 1.5 * std::sin(post_angle));
+  const Pose at_post = turnedAndMoved(post_angle + kPi / 2, 1.5 * std::cos(post_angle), 1.5 * std::sin(post_angle));
   // The rod's upper side passes through the corner where it is 0.1 ahead of its middle line.
   const double met = post_angle - std::asin(0.1 / 1.5), way = 350 * kPi / 180;
   const Impact impact = expectImpact(rod, turning(Pose::Identity(), way), post, Motion::still(at_post), met / way);
@@ -118,37 +118,39 @@ TEST(TimeOfImpact, RodTurns350Degrees) {
 
 TEST(TimeOfImpact, RodBetweenPostsIsFree) {
   const Polygon rod({rectangle(0, -0.1, 2, 0.1)}), post({rectangle(-0.05, -0.05, 0.05, 0.05)});
-  expectFree(rod, turning(Pose::Identity(), 350 * kPi / 180), post, Motion::still(pose(0, 2.06, 0.0)));
+  expectFree(rod, turning(Pose::Identity(), 350 * kPi / 180), post, Motion::still(turnedAndMoved(0, 2.06, 0.0)));
   // From 0.3 to 20 degrees before that, the post in the middle of the rest.
-  expectFree(rod, turning(pose(0.3, 0, 0), 340 * kPi / 180), post,
-             Motion::still(pose(0.1255, 1.5 * std::cos(0.1255), 1.5 * std::sin(0.1255))));
+  expectFree(rod, turning(turnedAndMoved(0.3, 0, 0), 340 * kPi / 180), post,
+             Motion::still(turnedAndMoved(0.1255, 1.5 * std::cos(0.1255), 1.5 * std::sin(0.1255))));
 }
 
 TEST(TimeOfImpact, GrazeIsContactAndAHairAsideIsFree) {
   const Polygon square({rectangle(0, 0, 1, 1)});
-  const Motion still = Motion::still(pose(0, 5, 1));
+  const Motion still = Motion::still(turnedAndMoved(0, 5, 1));
   expectImpact(square, Motion::translation(Pose::Identity(), {10, 0}), square, still, 0.4);
-  expectFree(square, Motion::translation(pose(0, 0, -1e-9), {10, 0}), square, still);
+  expectFree(square, Motion::translation(turnedAndMoved(0, 0, -1e-9), {10, 0}), square, still);
   // A vertex that brushes a vertex.
   const Polygon tip({{{0, 1}, {-1, 0}, {1, 0}}}), down({{{0, 1}, {1, 2}, {-1, 2}}});
-  expectImpact(tip, Motion::translation(pose(0, -4, 0), {8, 0}), down, kStill, 0.5);
-  expectFree(tip, Motion::translation(pose(0, -4, -1e-9), {8, 0}), down, kStill);
+  expectImpact(tip, Motion::translation(turnedAndMoved(0, -4, 0), {8, 0}), down, kStill, 0.5);
+  expectFree(tip, Motion::translation(turnedAndMoved(0, -4, -1e-9), {8, 0}), down, kStill);
   // A turning tip that brushes a wall at the top of its circle.
   const Polygon wall({rectangle(-9, 1, 9, 2)});
-  expectImpact(tip, turning(pose(-1, 0, 0), 2), wall, kStill, 0.5, 1e-6);
-  expectFree(tip, turning(pose(-1, 0, 0), 2), wall, Motion::still(pose(0, 0, 1e-9)));
+  expectImpact(tip, turning(turnedAndMoved(-1, 0, 0), 2), wall, kStill, 0.5, 1e-6);
+  expectFree(tip, turning(turnedAndMoved(-1, 0, 0), 2), wall, Motion::still(turnedAndMoved(0, 0, 1e-9)));
 }
 
 TEST(TimeOfImpact, ContactAtTheEndCounts) {
   const Polygon square({rectangle(0, 0, 1, 1)});
-  expectImpact(square, Motion::translation(Pose::Identity(), {4, 0}), square, Motion::still(pose(0, 5, 0.5)), 1);
-  expectFree(square, Motion::translation(Pose::Identity(), {4 - 1e-9, 0}), square, Motion::still(pose(0, 5, 0.5)));
+  expectImpact(square, Motion::translation(Pose::Identity(), {4, 0}), square, Motion::still(turnedAndMoved(0, 5, 0.5)),
+               1);
+  expectFree(square, Motion::translation(Pose::Identity(), {4 - 1e-9, 0}), square,
+             Motion::still(turnedAndMoved(0, 5, 0.5)));
 }
 
 TEST(TimeOfImpact, OverlapAtTheStartIsTimeZero) {
   const Polygon square({rectangle(0, 0, 1, 1)}), large({rectangle(-5, -5, 6, 6)});
   // Parting from a touch.
-  const Impact touch = expectImpact(square, kStill, square, Motion::translation(pose(0, 1, 0), {1, 0}), 0);
+  const Impact touch = expectImpact(square, kStill, square, Motion::translation(turnedAndMoved(0, 1, 0), {1, 0}), 0);
   EXPECT_EQ(touch.time, 0);
   EXPECT_EQ(touch.normal, Vec2(1, 0));
   EXPECT_EQ(touch.point.x(), 1);
@@ -158,14 +160,14 @@ TEST(TimeOfImpact, OverlapAtTheStartIsTimeZero) {
   EXPECT_EQ(held.point, Vec2(0, 0));
   EXPECT_EQ(held.edge_a, 0);
   EXPECT_EQ(held.edge_b, -1);
-  EXPECT_EQ(expectImpact(square, kStill, square, Motion::still(pose(0.2, 0.5, 0)), 0).time, 0);
+  EXPECT_EQ(expectImpact(square, kStill, square, Motion::still(turnedAndMoved(0.2, 0.5, 0)), 0).time, 0);
 }
 
 /// collide() at the start <=> time 0, though rounding can't tell these from a touch.
 TEST(TimeOfImpact, AnUlpApartIsNotTimeZero) {
   const Polygon square({rectangle(0, 0, 1, 1)});
   for (const double x : {nudged(1, 1), nudged(-1, -1)}) {
-    const auto impact = timeOfImpact(square, kStill, square, Motion::translation(pose(0, x, 0), {-x, 0}));
+    const auto impact = timeOfImpact(square, kStill, square, Motion::translation(turnedAndMoved(0, x, 0), {-x, 0}));
     ASSERT_TRUE(impact);
     EXPECT_GT(impact->time, 0);
     EXPECT_LT(impact->time, 1e-15);
@@ -175,7 +177,7 @@ TEST(TimeOfImpact, AnUlpApartIsNotTimeZero) {
 
 TEST(TimeOfImpact, StillAndApartIsFree) {
   const Polygon square({rectangle(0, 0, 1, 1)}), c({{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {4, 3}, {4, 4}, {0, 4}}});
-  expectFree(c, kStill, square, Motion::still(pose(0, 2, 1.5)));
+  expectFree(c, kStill, square, Motion::still(turnedAndMoved(0, 2, 1.5)));
 }
 
 /// A box with a gap of 1 in its right wall.
@@ -183,9 +185,9 @@ TEST(TimeOfImpact, LeavesThroughAGap) {
   const Polygon room(
       {{{0, 0}, {10, 0}, {10, 4.5}, {9, 4.5}, {9, 1}, {1, 1}, {1, 9}, {9, 9}, {9, 5.5}, {10, 5.5}, {10, 10}, {0, 10}}});
   const Polygon ball({regular(16, 0.45)});
-  expectFree(room, kStill, ball, Motion::translation(pose(0, 5, 5), {20, 0}));
-  expectFree(room, kStill, ball, turning(pose(0, 5, 5), 50, {20, 0}));
-  expectImpact(room, kStill, ball, Motion::translation(pose(0, 5, 3), {16, 0}), (9 - 0.45 - 5) / 16);
+  expectFree(room, kStill, ball, Motion::translation(turnedAndMoved(0, 5, 5), {20, 0}));
+  expectFree(room, kStill, ball, turning(turnedAndMoved(0, 5, 5), 50, {20, 0}));
+  expectImpact(room, kStill, ball, Motion::translation(turnedAndMoved(0, 5, 3), {16, 0}), (9 - 0.45 - 5) / 16);
 }
 
 TEST(TimeOfImpact, HoleHoldsTheBall) {
@@ -197,11 +199,12 @@ TEST(TimeOfImpact, HoleHoldsTheBall) {
 TEST(TimeOfImpact, OrbitsInAnAnnulus) {
   const Polygon annulus({regular(64, 12), regular(64, 10), regular(64, 5)}), ball({regular(12, 2)});
   // Three turns about the common centre, 7.5 away.
-  expectFree(annulus, kStill, ball, turning(pose(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
+  expectFree(annulus, kStill, ball, turning(turnedAndMoved(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
   // The annulus turns the other way.
-  expectFree(annulus, turning(Pose::Identity(), -20), ball, turning(pose(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
+  expectFree(annulus, turning(Pose::Identity(), -20), ball,
+             turning(turnedAndMoved(0, 7.5, 0), 6 * kPi, Vec2::Zero(), {-7.5, 0}));
   // Spirals out.
-  EXPECT_TRUE(timeOfImpact(annulus, kStill, ball, turning(pose(0, 7.5, 0), 6 * kPi, {2, 0}, {-7.5, 0})));
+  EXPECT_TRUE(timeOfImpact(annulus, kStill, ball, turning(turnedAndMoved(0, 7.5, 0), 6 * kPi, {2, 0}, {-7.5, 0})));
 }
 
 /// Two rods that turn against each other like gears, about pivots 3 apart: both reach 1.75, and their tips meet where
@@ -209,15 +212,15 @@ TEST(TimeOfImpact, OrbitsInAnAnnulus) {
 TEST(TimeOfImpact, BothTurn) {
   const Polygon rod({{{-1.75, 0}, {0, -0.01}, {1.75, 0}, {0, 0.01}}});
   const double angle = 4 * kPi;
-  const auto impact =
-      timeOfImpact(rod, turning(pose(-kPi / 4, 0, 0), angle), rod, turning(pose(kPi / 4, 3, 0), -angle));
+  const auto impact = timeOfImpact(rod, turning(turnedAndMoved(-kPi / 4, 0, 0), angle), rod,
+                                   turning(turnedAndMoved(kPi / 4, 3, 0), -angle));
   ASSERT_TRUE(impact);
   // Tips at distance 1.75: they cross before they are in line, where both are at the same height.
   const double met = (kPi / 4 - std::acos(1.5 / 1.75)) / angle;
   EXPECT_LE(impact->time, met);
   EXPECT_GE(impact->time, met - 2e-3 / angle - kTimeError);
   // A quarter turn apart they mesh.
-  expectFree(rod, turning(Pose::Identity(), angle), rod, turning(pose(kPi / 2, 3, 0), -angle));
+  expectFree(rod, turning(Pose::Identity(), angle), rod, turning(turnedAndMoved(kPi / 2, 3, 0), -angle));
 }
 
 /// Side by side on one turntable: edges on one line, none of which meet, and nothing moves against anything.
@@ -225,7 +228,7 @@ TEST(TimeOfImpact, TurningTogetherIsFree) {
   const Polygon square({rectangle(0, 0, 1, 1)});
   for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12})
     expectFree(square, turning(Pose::Identity(), kPi), square,
-               turning(pose(0, 1 + gap, 0), kPi, Vec2::Zero(), {-1 - gap, 0}));
+               turning(turnedAndMoved(0, 1 + gap, 0), kPi, Vec2::Zero(), {-1 - gap, 0}));
 }
 
 /// Bodies that stand on a point close to the floor and tip about it, or slide along it, faster and faster: near the
@@ -241,7 +244,7 @@ TEST(TimeOfImpact, OfWhatMovesAlongCloseToAnother) {
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const double time_error : {1e-3, 1e-6, 1e-12})
       for (const bool speeds_up : {false, true}) {
-        Motion slides = Motion::still(pose(0.1, 0.3, gap));
+        Motion slides = Motion::still(turnedAndMoved(0.1, 0.3, gap));
         slides.shift = Vec2(0.5, 0);
         if (speeds_up) slides.shift_2 = Vec2(1, 0);
         Motion tips = slides;
@@ -274,30 +277,30 @@ TEST(TimeOfImpact, MirroredTurnsCounterClockwise) {
 TEST(TimeOfImpact, AtAnyScale) {
   for (const double scale : {1e-300, 1e-150, 1e-9, 1e9, 1e150, 1e300}) {
     const Polygon square({scaled(rectangle(0, 0, 1, 1), scale)}), wall({scaled(rectangle(3, -10, 4, 10), scale)});
-    const Pose turned = pose(0, 0, 0);
+    const Pose turned = turnedAndMoved(0, 0, 0);
     expectImpact(square, Motion::translation(turned, Vec2(8, 0) * scale), wall, kStill, 0.25);
     expectFree(square, Motion::translation(turned, Vec2(0, 8) * scale), wall, kStill);
     const Polygon rod({scaled(rectangle(0, -1, 4, 1), scale)});
     // The corner (4, 1) comes from above to the wall's top (3, -10) .. only where the wall is: meets x = 3 at
     // acos(3/r).
     const double r = std::hypot(4.0, 1.0), met = std::acos(3 / r) + std::atan2(1.0, 4.0);
-    expectImpact(rod, turning(pose(kPi / 2, 0, 0), -2), wall, kStill, (kPi / 2 - met + 2 * std::atan2(1.0, 4.0)) / 2,
-                 1);
+    expectImpact(rod, turning(turnedAndMoved(kPi / 2, 0, 0), -2), wall, kStill,
+                 (kPi / 2 - met + 2 * std::atan2(1.0, 4.0)) / 2, 1);
   }
 }
 
 TEST(TimeOfImpact, TinyAndHugeTogether) {
   const Polygon bullet({scaled(rectangle(-1, -1, 1, 1), 1e-200)}), wall({scaled(rectangle(0, -1, 1, 1), 1e100)});
-  expectImpact(bullet, Motion::translation(pose(0, -1e100, 0), {1e101, 0}), wall, kStill, 0.1);
-  expectFree(bullet, Motion::translation(pose(0, -1e100, 0), {0, 1e101}), wall, kStill);
+  expectImpact(bullet, Motion::translation(turnedAndMoved(0, -1e100, 0), {1e101, 0}), wall, kStill, 0.1);
+  expectFree(bullet, Motion::translation(turnedAndMoved(0, -1e100, 0), {0, 1e101}), wall, kStill);
   // Near the largest double nothing is proven to be apart, but what is far away.
   const Polygon huge({scaled(rectangle(-1, -1, 1, 1), 1e308)});
-  EXPECT_TRUE(timeOfImpact(huge, turning(pose(0.3, -1e308, 1e308), 3, {1e308, 1e308}), huge, kStill));
+  EXPECT_TRUE(timeOfImpact(huge, turning(turnedAndMoved(0.3, -1e308, 1e308), 3, {1e308, 1e308}), huge, kStill));
 }
 
 TEST(TimeOfImpact, FarFromTheOrigin) {
   const Polygon square({rectangle(0, 0, 1, 1)});
-  const Pose here = pose(0, 1e15, -1e15), there = pose(0, 1e15 + 3, -1e15);
+  const Pose here = turnedAndMoved(0, 1e15, -1e15), there = turnedAndMoved(0, 1e15 + 3, -1e15);
   expectImpact(square, Motion::translation(here, {4, 0}), square, Motion::still(there), 0.5);
   const Impact impact = expectImpact(square, turning(here, 0, {4, 0}), square, Motion::still(there), 0.5);
   EXPECT_EQ(impact.point.x(), 1e15 + 3);
@@ -307,8 +310,8 @@ TEST(TimeOfImpact, TurnsWithoutEnd) {
   // Whatever the number of turns, what is out of reach is free and what isn't is met.
   const Polygon rod({rectangle(-2, -0.1, 2, 0.1)}), post({rectangle(-0.05, -0.05, 0.05, 0.05)});
   for (const double angle : {1e3, 1e6, 1e200, -1e308}) {
-    EXPECT_TRUE(timeOfImpact(rod, turning(Pose::Identity(), angle), post, Motion::still(pose(0, 0, 1))));
-    expectFree(rod, turning(Pose::Identity(), angle), post, Motion::still(pose(0, 0, 2.2)));
+    EXPECT_TRUE(timeOfImpact(rod, turning(Pose::Identity(), angle), post, Motion::still(turnedAndMoved(0, 0, 1))));
+    expectFree(rod, turning(Pose::Identity(), angle), post, Motion::still(turnedAndMoved(0, 0, 2.2)));
   }
 }
 
@@ -372,7 +375,7 @@ TEST(TimeOfImpact, PointsSaidOftenBesideEachOthersCorners) {
   const Polygon a({Ring(40, {0, 0})}), b({Ring(40, {0, 0})});
   ImpactOptions options;
   options.margin = 1.2;
-  Motion bent = Motion::still(pose(0, 1, 1));
+  Motion bent = Motion::still(turnedAndMoved(0, 1, 1));
   bent.shift_2 = Vec2(0.05, 0.05);
   EXPECT_FALSE(timeOfImpact(a, kStill, b, bent, options).has_value());
   bent.shift_2 = Vec2(-0.3, -0.3);
@@ -393,7 +396,7 @@ TEST(TimeOfImpact, MarginAtAnyScale) {
 TEST(TimeOfImpact, IsZeroWhereAFewOfTheSmallestDoublesCollide) {
   constexpr double e = std::numeric_limits<double>::denorm_min();
   const Polygon triangle({{{0, 0}, {e, 0}, {-e, e}}});
-  EXPECT_EQ(timeOfImpact(triangle, kStill, triangle, Motion::still(pose(0.3, 0, 0)))->time, 0);
+  EXPECT_EQ(timeOfImpact(triangle, kStill, triangle, Motion::still(turnedAndMoved(0.3, 0, 0)))->time, 0);
   Random random(4);
   int hits = 0;
   constexpr int kCases = 5000;
@@ -405,7 +408,8 @@ TEST(TimeOfImpact, IsZeroWhereAFewOfTheSmallestDoublesCollide) {
       return Polygon({ring});
     };
     const auto start = [&] {
-      return pose(random.coin() ? random.real(0, 6) : 0, e * random.integer(-4, 4), e * random.integer(-4, 4));
+      return turnedAndMoved(random.coin() ? random.real(0, 6) : 0, e * random.integer(-4, 4),
+                            e * random.integer(-4, 4));
     };
     const Polygon a = polygon(), b = polygon();
     const Motion motion_a = Motion::still(start()), motion_b = turning(start(), random.coin() ? 1 : 0, {e, -2 * e});
@@ -455,7 +459,7 @@ TEST(TimeOfImpact, NamesTheEdgesOfDividedSides) {
   const Polygon a({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 2}, {0.25, 2}, {0, 2}, {0, 1}}});
   const Polygon wedge({{{-1, 1}, {0, 0}, {0.5, 0.5}, {1, 1}, {0, 1}}});
   const auto edgeAt = [&](double x) {
-    Motion motion = Motion::still(pose(0, x, 2.5));
+    Motion motion = Motion::still(turnedAndMoved(0, x, 2.5));
     motion.shift = Vec2(0, -1);
     const Impact impact = expectImpact(a, Motion::still(Pose::Identity()), wedge, motion, 0.5);
     EXPECT_TRUE(impact.edge_b == 0 || impact.edge_b == 1);
@@ -471,7 +475,7 @@ TEST(TimeOfImpact, OfAPointThatComesFromVeryFar) {
   for (const Polygon& a : {Polygon({regular(8, 1)}), Polygon({comb(3, 1, 0.5, 2)})}) {
     for (int exponent = 60; exponent <= 1000; exponent += 20) {
       const double far = std::ldexp(1.0, exponent);
-      Motion motion = Motion::still(pose(0, -far, 0.25));
+      Motion motion = Motion::still(turnedAndMoved(0, -far, 0.25));
       motion.shift = Vec2(2 * far, 0);
       SCOPED_TRACE(exponent);
       expectImpact(a, Motion::still(Pose::Identity()), point({0, 0}), motion, 0.5);

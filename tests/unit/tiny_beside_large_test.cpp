@@ -92,7 +92,7 @@ TEST(Penetration, OfATinyMapInTheCornerOfAComb) {
                     FillRule::NonZero);
   const Pose pose_b = pose(0x1.0003452ede39ep+0, -0x1.a2976f1cee4d5p-15, -0x1.a1df0208eba0ap-29, 0x1.a2976f1cee4d5p-15,
                            -0x1.0003452ede39ep+0, 0x1.e77c961be2b14p+5);
-  const auto p = penetration(comb, mirrored(pose(1.5707963267948966, 0, 0)), map, pose_b);
+  const auto p = penetration(comb, mirrored(turnedAndMoved(1.5707963267948966, 0, 0)), map, pose_b);
   ASSERT_TRUE(p);
   // The comb's corner is at (0, 5w), and beside it, to the right and upwards, nothing.
   Vec2 least(1, 1);
@@ -134,7 +134,7 @@ TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
                             {0x1.756b1af046affp-10, -0x1.756b1af046affp-11}}});
   const Pose pose_a =
       pose(-0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, 0, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1, 0);
-  const Pose pose_b = pose(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
+  const Pose pose_b = turnedAndMoved(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
   const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b);
   const auto p = penetration(sliver, pose_a, chamfered, pose_b);
   ASSERT_EQ(found.size(), 1u);
@@ -164,7 +164,7 @@ TEST(Contacts, OfASplinterInALargeCornerLeadApart) {
   const Polygon corner({{{0, -1e6}, {1.25e6, 0}, {1e6, 1e6}, {1e6, 0}, {0, 0}}});
   const Polygon splinter(
       {{{2, 3}, {0x1.fffff5c6f677cp+0, 0x1.80000706da7c8p+1}, {0x1.fffff1d94be9ep+0, 0x1.80000496a3316p+1}}});
-  expectWayApart(corner, pose(0, 4, -0.5), splinter,
+  expectWayApart(corner, turnedAndMoved(0, 4, -0.5), splinter,
                  pose(0x1.8eb96f646ec99p-1, -0x1.413096c471d19p-1, 0x1.e8488a61ee586p+19, 0x1.413096c471d19p-1,
                       0x1.8eb96f646ec99p-1, -0x1.05d1af76c6p+2));
 }
@@ -275,8 +275,8 @@ TEST(Penetration, OfATinyCombInAnAcuteNotchLeadsIntoTheNotch) {
     Random random(static_cast<std::uint64_t>(i));
     const double slope = std::pow(10, random.real(-5, -0.5)), size = slope * std::pow(10, random.real(-6, -0.5));
     const Polygon block({{{20, 20 * slope}, {0, 0}, {20, -20 * slope}, {20, -20}, {-20, -20}, {-20, 20}, {20, 20}}});
-    Case c{Polygon({scaled(comb(random.integer(2, 4), 0.5, 0.25, 1), size)}), pose(random.real(0, 6), 0, 0), block,
-           pose(random.coin() ? 0 : random.real(0, 6), 0, 0)};
+    Case c{Polygon({scaled(comb(random.integer(2, 4), 0.5, 0.25, 1), size)}), turnedAndMoved(random.real(0, 6), 0, 0),
+           block, turnedAndMoved(random.coin() ? 0 : random.real(0, 6), 0, 0)};
     c.pose_a.translation() = c.pose_b * Vec2(random.real(-0.2, 0.2) * size / slope, 0);
     const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
     if (!p) continue;
@@ -331,9 +331,9 @@ Case farPointOnTinyPolygon(Random& random) {
   const Polygon a({kind == 0   ? star(random, n, 0.3 * size, size)
                    : kind == 1 ? regular(n, size)
                                : comb(2, 0.5 * size, 0.25 * size, size)});
-  const Pose pose_a = pose(random.real(0, 6.3), 0, 0);
+  const Pose pose_a = turnedAndMoved(random.real(0, 6.3), 0, 0);
   const double x = random.real(-3, 3), y = random.real(-3, 3);
-  Pose pose_b = pose(random.real(0, 6.3), 0, 0);
+  Pose pose_b = turnedAndMoved(random.real(0, 6.3), 0, 0);
   const EdgeIndex edge = random.integer(0, static_cast<int>(a.edgeCount()) - 1);
   const double share = random.coin() ? random.integer(0, 1) : random.unit();
   const Vec2 at = pose_a * Vec2(a.edgeStart(edge) + share * (a.edgeEnd(edge) - a.edgeStart(edge)));
