@@ -238,8 +238,79 @@ std::string wrongWalks(Random& random, Tally& tally, const Kind& kind) {
   return {};
 }
 
+/// Of so many corners that most searches are long enough for a cache.
+Polygon longOutline(Random& random, int least_corners) {
+  std::vector<Ring> rings = {star(random, random.integer(least_corners, least_corners == 12 ? 40 : 56), 0.4, 1)};
+  if (random.oneIn(3)) rings.push_back(scaled(star(random, random.integer(4, 9), 0.5, 1), 0.3));
+  if (random.oneIn(4)) std::reverse(rings[0].begin(), rings[0].end());
+  return Polygon(rings);
+}
+
+/// How a body goes on from pose to pose.
+void slideOrTurn(Random& random, int manner, double length, const Vec2& along, Case& c) {
+  if (manner != 1) c.pose_b.translation() += length * along;
+  if (manner == 1 || manner == 2) turn(c.pose_b, 0.3 * length);
+  if (manner == 3) turn(c.pose_a, 0.1 * length);
+  if (random.oneIn(12)) c.pose_b.translation() -= 5 * length * along;
+  if (random.oneIn(30)) c.pose_b.translation() = c.pose_a.translation() + 0.3 * direction(random.real(0, 6.3));
+}
+
+/// Of penetrations: with a cache that lasts, with copies of it, old ones, too, and with copies about other polygons.
+std::string wrongPenetrations(Random& random, Tally& tally, PairCache& cache, int least_corners) {
+  const Polygon first = longOutline(random, least_corners);
+  const Pose pose_a = randomPose(random, 3);
+  Case c{first, pose_a, longOutline(random, least_corners), randomPose(random, 0)};
+  if (random.oneIn(4)) c.pose_b.linear() = c.pose_a.linear();
+  if (random.oneIn(6)) c.pose_a = mirrored(c.pose_a);
+  if (random.oneIn(6)) c.pose_b = throughFloat(c.pose_b);
+  if (random.oneIn(8)) c.pose_a.translation() += Vec2(1e6, -1e6);
+  const Vec2 along = direction(random.real(0, 6.3));
+  c.pose_b.translation() = c.pose_a.translation() + random.real(0.1, 0.8) * direction(random.real(0, 6.3));
+  const double margin = random.oneIn(6) ? 0.05 : 0;
+  const int manner = random.integer(0, 5);
+  const double length = std::exp2(random.real(-12, -4));
+  const Query& query = *std::find_if(queries().begin(), queries().end(),
+                                     [](const Query& q) { return std::string(q.name) == "penetration"; });
+  Random of_other(7);
+  const Polygon other({star(of_other, 20, 0.4, 1)});
+  PairCache old = cache;
+  for (int i = 0; i < 24; ++i) {
+    const Case asked = random.oneIn(4) ? Case{c.b, c.pose_b, c.a, c.pose_a} : c;
+    PairCache copies[] = {cache, cache, old};
+    if (i == 10) old = cache;
+    std::string wrong = wrongWithCache(asked, query, {margin, false, &cache});
+    if (i % 6 == 0) {
+      tally.count("hits", penetration(c.a, c.pose_a, c.b, c.pose_b).has_value());
+      if (wrong.empty()) wrong = wrongWithCache({other, c.pose_a, c.b, c.pose_b}, query, {margin, false, &copies[0]});
+      if (wrong.empty()) wrong = wrongWithCache({c.a, c.pose_a, other, c.pose_b}, query, {margin, false, &copies[1]});
+      if (wrong.empty()) wrong = wrongWithCache(asked, query, {margin, false, &copies[2]});
+    }
+    if (!wrong.empty()) return wrong + "\n" + reproduction(asked);
+    slideOrTurn(random, manner, length, along, c);
+  }
+  return {};
+}
+
+std::string wrongTwoPenetrations(Random& random, Tally& tally) {
+  PairCache cache;
+  const std::string wrong = wrongPenetrations(random, tally, cache, 20);
+  return wrong.empty() ? wrongPenetrations(random, tally, cache, 20) : wrong;
+}
+
+/// What is nearest in one square was found in another.
+std::string wrongKeptPenetrations(Random&, Tally& tally) {
+  std::string wrong;
+  for (const std::uint64_t seed : {1593, 230}) {
+    Random random(seed);
+    PairCache cache;
+    if (wrong.empty()) wrong = wrongPenetrations(random, tally, cache, 12);
+  }
+  return wrong;
+}
+
 Laws cacheLaws() {
-  Laws laws;
+  Laws laws = {{"penetrations", 150, wrongTwoPenetrations, {{"hits", 0.5, 0.98}}},
+               {"kept_penetrations", 1, wrongKeptPenetrations, {}}};
   for (const Kind& kind : kKinds) {
     const bool jumps = kind.step == jumping || kind.step == hopping;
     laws.push_back(

@@ -58,10 +58,18 @@ Case tips(Random& random) {
   return {Polygon({support::regular(4, 1)}), frame, Polygon({support::shifted(support::regular(4, 1), far)}), there};
 }
 
+std::string wrongAmongRings(Random& random, Tally& tally, Case& c) {
+  const support::Reference reference(c);
+  tally.count("contained", reference.collide() && reference.meetingEdges().empty());
+  return wrong(random, tally, c);
+}
+
 Laws collideLaws() {
   Laws laws;
   add(laws, {family("far_from_its_origin", farFromItsOrigin), family("tips", tips)}, 5000, wrong,
       {{"hits", 0.2, 0.95}});
+  add(laws, {family("among_many_rings", smallAmongManyRings)}, 1500, wrongAmongRings,
+      {{"hits", 0.2, 0.8}, {"contained", 0.02, 0.5}});
   add(laws, support::families(), 5000, wrong, {{"hits", 0.15, 0.85}});
   add(laws, anyPairs(), 3000, wrong);
   return laws;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "contact_laws.h"
 #include "distance_laws.h"
 #include "exact_reference.h"
 #include "families.h"
@@ -18,6 +19,8 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/collide.h"
+#include "tricover/segment.h"
+#include "tricover/signed_distance.h"
 
 namespace tricover::laws {
 namespace {
@@ -114,10 +117,48 @@ Case roundFarApart(Random& random) {
   return {round, turnedAndMoved(random.real(0, 6), 0, 0), other, pose_b};
 }
 
+/// A vertex is beside an edge's end or, by less than doubles tell, beside its inner.
+Case besideAnEnd(Random& random) {
+  const double size = std::pow(10, random.real(-12, 0)), past = random.coin() ? 0 : std::pow(10, random.real(-10, -7));
+  const Pose pose_b = randomPose(random, 1);
+  Pose pose_a = pose_b;
+  pose_a.translation() = pose_b * Vec2(past, -random.real(0.1, 1));
+  return {Polygon({{{0, 0}, {-size, -size}, {size, -0.7 * size}}}), pose_a, segment({0, 0}, {1, 0}), pose_b};
+}
+
+std::string wrongNormal(Random&, Tally& tally, Case& c) {
+  const SignedDistance s = signedDistance(c.a, c.pose_a, c.b, c.pose_b);
+  tally.count("ends", s.point_b == c.pose_b.translation());
+  const bool leads = (s.point_b - s.point_a - s.distance * s.normal).norm() <= 1e-14;
+  return leads ? "" : "the normal doesn't lead from point to point";
+}
+
+Case twoConvex(Random& random) {
+  const Polygon a({anyConvex(random, 1)}), b({anyConvex(random, random.real(0.1, 2))});
+  const Pose pose_a = randomPose(random, 1);
+  return {a, pose_a, b, randomPose(random, 2)};
+}
+
+/// Moved along the normal convex polygons that are apart are farther apart, by no less; others by no more, either way.
+std::string wrongAlongNormal(Random& random, Tally& tally, Case& c) {
+  const SignedDistance before = signedDistance(c.a, c.pose_a, c.b, c.pose_b);
+  const bool is_deep = before.distance < 0;
+  const double by = random.real(0, 2) * (is_deep ? 1e-3 : 1);
+  const double after = signedDistance(c.a, c.pose_a, c.b, moved(c.pose_b, by * before.normal)).distance;
+  tally.count("deep", is_deep);
+  if (is_deep) tally.count("shallower", after > before.distance);
+  const bool is_right =
+      after >= before.distance + (is_deep ? -by : by) - 1e-13 && (!is_deep || after <= before.distance + by + 1e-13);
+  return is_right ? "" : "by " + hex(by) + " from " + hex(before.distance) + " to " + hex(after);
+}
+
 Laws distanceLaws() {
   Laws laws;
   add(laws, {family("round_far_apart", roundFarApart)}, 1000, wrong, {{"hits", 0.01, 0.5}});
   add(laws, {family("squeezed_flat", squeezedFlat)}, 100, wrong, {{"hits", 0.05, 0.5}});
+  add(laws, {family("beside_an_end", besideAnEnd)}, 20000, wrongNormal, {{"ends", 0.1, 0.9}});
+  add(laws, {family("along_normal", twoConvex)}, 3000, wrongAlongNormal, {{"deep", 0.2, 0.8}, {"shallower", 0.5, 1}});
+  add(laws, {family("among_many_rings", smallAmongManyRings)}, 2000, wrong, {{"hits", 0.2, 0.8}});
   add(laws, families(), 1000, wrong, {{"hits", 0.1, 0.85}});
   add(laws, anyPairs(), 1000, wrong);
   return laws;

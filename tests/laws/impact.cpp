@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -321,6 +322,29 @@ std::string wrong(Random& random, Tally& tally, Case& c) {
   return problem.empty() ? problem : problem + told(f, impact, options);
 }
 
+/// Of a few of the smallest doubles.
+std::string wrongOfTheSmallest(Random& random, Tally& tally) {
+  constexpr double e = std::numeric_limits<double>::denorm_min();
+  const auto polygon = [&] {
+    Ring ring;
+    for (int k = random.integer(3, 5); k > 0; --k)
+      ring.emplace_back(e * random.integer(-2, 2), e * random.integer(-2, 2));
+    return Polygon({ring});
+  };
+  const auto start = [&] {
+    const double x = e * random.integer(-4, 4), y = e * random.integer(-4, 4);
+    return turnedAndMoved(random.coin() ? random.real(0, 6) : 0, x, y);
+  };
+  const Polygon a = polygon(), b = polygon();
+  const Pose at = start();
+  Motion motion = Motion::translation(start(), {e, -2 * e});
+  if (random.coin()) motion.angle = 1;
+  const bool collides = collide(a, at, b, motion.start);
+  tally.count("hits", collides);
+  const auto impact = timeOfImpact(a, Motion::still(at), b, motion);
+  return (impact && impact->time == 0) == collides ? "" : "time 0 is not collide at the start";
+}
+
 Laws impactLaws() {
   const Shares shares = {{"at once", 0, 0.5}, {"later", 0.2, 0.8}, {"never", 0.2, 0.8}};
   Laws laws = {{"translations", 6000, wrongBracket<Kind::Translation>, shares},
@@ -328,7 +352,8 @@ Laws impactLaws() {
                {"screws", 6000, wrongBracket<Kind::Screw>, shares},
                {"many_turns", 6000, wrongBracket<Kind::ManyTurns>, shares},
                {"splines", 6000, wrongBracket<Kind::Spline>, shares},
-               {"shifts", 4000, wrongShift, {{"later", 0.2, 0.8}, {"never", 0.2, 0.8}, {"at the end", 0.002, 1}}}};
+               {"shifts", 4000, wrongShift, {{"later", 0.2, 0.8}, {"never", 0.2, 0.8}, {"at the end", 0.002, 1}}},
+               {"smallest_doubles", 5000, wrongOfTheSmallest, {{"hits", 0.1, 0.5}}}};
   Limits limits;
   limits.most_exponent = 290;
   limits.most_vertices = 24;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Areas, centroids, bounds and simplified outlines against exact rationals.
+// Areas, centroids, bounds, discs and simplified outlines against exact rationals.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -248,6 +248,42 @@ std::string wrongTolerance(Random&, Tally&) {
   return {};
 }
 
+/// A polygon's disc holds its vertices, and is tight at every size; its centre is within the bounds. A ring's raw
+/// vertices make the same polygon, bit for bit.
+std::string wrongDisc(Random&, Tally& tally, Case& c) {
+  for (const Polygon& polygon : {c.a, c.b}) {
+    const Vec2 s = polygon.origin();
+    mpq_class farthest = 0;
+    for (const Ring& ring : polygon.rings())
+      for (const Vec2& v : ring) farthest = std::max(farthest, exact::distanceSquared(v, s, s));
+    if (!polygon.bounds().contains(s)) return "the disc's centre";
+    const Ring& ring = polygon.rings().back();
+    const Polygon by_ring({ring}, polygon.fillRule()), raw(ring.data(), ring.size(), polygon.fillRule());
+    if (raw.rings() != by_ring.rings() || raw.fillRule() != polygon.fillRule() || raw.origin() != by_ring.origin() ||
+        raw.radius() != by_ring.radius())
+      return "a ring's raw vertices";
+    tally.count("finite", std::isfinite(polygon.radius()));
+    if (!std::isfinite(polygon.radius())) continue;
+    const mpq_class radius(polygon.radius());
+    if (!exact::within(farthest, radius)) return "a vertex out of the disc";
+    // A few of the smallest doubles more where the distances are no larger themselves.
+    const mpq_class tight = (radius - 8 * mpq_class(5e-324)) * mpq_class(1 - 1e-12);
+    if (tight > 0 && tight * tight > farthest) return "the disc is too large";
+  }
+  return {};
+}
+
+Case ofTheSmallest(Random& random) {
+  const auto polygon = [&] {
+    Ring ring;
+    for (int k = random.integer(3, 5); k > 0; --k)
+      ring.emplace_back(5e-324 * random.integer(-3, 3), 5e-324 * random.integer(-3, 3));
+    return Polygon({ring});
+  };
+  const Polygon a = polygon(), b = polygon();
+  return {a, Pose::Identity(), b, Pose::Identity()};
+}
+
 Case anyOf(const std::vector<Family>& list, Random& random) {
   return list[random.bits() % list.size()].make(random.bits());
 }
@@ -266,6 +302,8 @@ Laws measuresLaws() {
                {"countries", 100, wrongCountry, {{"fewer", 0.01, 1}, {"covers have fewer", 0.01, 1}}},
                {"kept_tolerance", 1, wrongTolerance}};
   add(laws, families(), 100, wrong, {});
+  add(laws, {family("families", anyOfFamilies)}, 1000, wrongDisc, {{"finite", 0.8, 1}}, "discs_of_");
+  add(laws, {family("the_smallest", ofTheSmallest)}, 1000, wrongDisc, {}, "discs_of_");
   add(laws, {family("families", anyOfFamilies)}, 1000, wrong, {{"rounded", 0.0001, 1}}, "bounds_of_");
   add(laws, {family("families", anyOfFamilies)}, 1000, wrongSimplifiedPair,
       {{"fewer", 0.2, 1}, {"covers have fewer", 0.2, 1}}, "simplified_");

@@ -237,6 +237,27 @@ void step(Random& random, Case& c) {
   if (which >= 2) moved(c.pose_a);
 }
 
+Case smallAmongManyRings(Random& random) {
+  std::vector<Ring> rings;
+  for (int k = random.integer(16, 60); k > 0; --k)
+    rings.push_back(shifted(rectangle(0, 0, random.real(0.1, 0.8), random.real(0.1, 0.8)), anyVector(random, 6)));
+  // Some overlap, or touch.
+  for (int k = random.integer(2, 25); k > 0; --k) {
+    const Vec2 at(random.integer(0, 9), random.integer(0, 9));
+    rings.push_back(
+        {at, at + Vec2(random.oneIn(8) ? 20 : 1, random.integer(0, 1)), at + Vec2(random.integer(0, 1), 1)});
+  }
+  if (random.coin()) rings.push_back(rectangle(-9, -9, 9, 9));
+  if (random.coin()) rings.push_back(star(random, 40, 6, 9));
+  const Polygon map(rings, random.coin() ? FillRule::NonZero : FillRule::EvenOdd);
+  const double reach = random.real(0.2, 1.2);
+  std::vector<Ring> small = {random.coin() ? regular(random.integer(3, 8), reach) : star(random, 8, 0.2, reach)};
+  if (random.coin()) small.push_back(regular(random.integer(3, 8), 0.15));
+  const Pose still = support::turnedAndMoved(random.real(0, kTurn), 3, -2);
+  const Pose at = still * randomPose(random, 9);
+  return random.coin() ? Case{map, still, Polygon(small), at} : Case{Polygon(small), at, map, still};
+}
+
 Case pushed(Random& random, Case c) {
   if (random.coin()) return c;
   const Vec2 way = c.pose_a * c.a.origin() - c.pose_b * c.b.origin();

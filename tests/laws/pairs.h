@@ -34,6 +34,9 @@ double smallerRadius(const Case& c);
 /// The next step of a walk: by an ulp or a jump, turning or not, either of them or both.
 void step(Random& random, Case& c);
 
+/// A small polygon that holds some of a map's many rings, meets some, or lies among them.
+Case smallAmongManyRings(Random& random);
+
 /// b so near to a's S, half of the time, that they are deep in each other, where they would touch at most.
 Case pushed(Random& random, Case c);
 

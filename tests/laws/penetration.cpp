@@ -191,6 +191,83 @@ std::string wrongConvex(Random& random, Tally& tally, Case& c) {
   return p->optimal && p->lower_bound == p->depth ? "" : "it isn't optimal";
 }
 
+/// Only the quarter beside the corner is free: the rest of the large polygon doesn't matter, however far it reaches.
+std::string wrongInCorner(Random&, Tally& tally, Case& c) {
+  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+  tally.count("hits", p.has_value());
+  if (!p) return {};
+  Vec2 least(0, 0);
+  for (const Ring& ring : c.b.rings())
+    for (const Vec2& v : ring) least = least.cwiseMin(c.pose_a.inverse(Eigen::Isometry) * (c.pose_b * v));
+  const double precision = 1e-12 * c.b.radius() + 2e-13 * c.a.radius();
+  if (!p->optimal || p->depth - p->lower_bound > 1.2 * precision) return "not optimal" + told(p);
+  return std::abs(p->depth - least.norm()) <= precision ? "" : "depth, which is " + hex(least.norm()) + told(p);
+}
+
+/// A comb in the notch of a block, of which other edges of the comb run along the walls.
+Case combInNotch(Random& random) {
+  const double slope = std::pow(10, random.real(-5, -0.5)), size = slope * std::pow(10, random.real(-6, -0.5));
+  const Polygon block({{{20, 20 * slope}, {0, 0}, {20, -20 * slope}, {20, -20}, {-20, -20}, {-20, 20}, {20, 20}}});
+  Case c{Polygon({scaled(comb(random.integer(2, 4), 0.5, 0.25, 1), size)}), turnedAndMoved(random.real(0, 6), 0, 0),
+         block, turnedAndMoved(random.coin() ? 0 : random.real(0, 6), 0, 0)};
+  c.pose_a.translation() = c.pose_b * Vec2(random.real(-0.2, 0.2) * size / slope, 0);
+  return c;
+}
+
+double slopeOf(const Case& c) { return c.b.rings()[0][0].y() / 20; }
+
+/// The shortest way to where all vertices of the comb are within both walls: straight off one wall, or to the corner
+/// of that region.
+double wayIntoNotch(const Case& c) {
+  const Pose back = c.pose_b.inverse(Eigen::Isometry) * c.pose_a;
+  const Vec2 inwards[] = {Vec2(slopeOf(c), -1).normalized(), Vec2(slopeOf(c), 1).normalized()};
+  double outside[] = {-1e300, -1e300};
+  for (const Vec2& v : c.a.rings()[0])
+    for (int i = 0; i < 2; ++i) outside[i] = std::max(outside[i], -inwards[i].dot(back * v));
+  if (std::max(outside[0], outside[1]) <= 0) return 0;
+  for (int i = 0; i < 2; ++i)
+    if (outside[i] > 0 && outside[1 - i] <= outside[i] * inwards[0].dot(inwards[1])) return outside[i];
+  return std::hypot((outside[0] + outside[1]) / (2 * inwards[0].x()), (outside[1] - outside[0]) / (2 * inwards[1].y()));
+}
+
+/// Found by the soak: near the notch's bottom the way is narrower than the search's resolution. The depth was the way
+/// out of the whole block, 1e8 times as long, and the lower bound, too.
+std::string wrongInNotch(Random&, Tally& tally, Case& c) {
+  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b);
+  tally.count("hits", p.has_value());
+  if (!p) return {};
+  tally.count("steep", slopeOf(c) < 1e-3);
+  const double way = wayIntoNotch(c), precision = 1e-12 * c.a.radius() + 1e-13 * c.b.radius();
+  const bool is_right = p->lower_bound <= way + precision && p->depth >= way - precision &&
+                        p->depth - p->lower_bound <= (p->optimal ? 2 : 2 / slopeOf(c)) * precision;
+  return is_right ? "" : "depth, which is " + hex(way) + told(p);
+}
+
+/// Squares of such lengths overflow or underflow. Where the way out ends between lines at a small angle, or goes on for
+/// a margin, lengths in the world decide.
+std::string wrongScaled(Random& random, Tally& tally, Case& c) {
+  const double margin = random.coin() ? 0 : c.a.radius() * random.unit();
+  const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b, {margin});
+  if (!p) return {};
+  tally.count("optimal", p->optimal);
+  for (const double by : {0x1p600, 0x1p-400}) {
+    Pose pose_a = c.pose_a, pose_b = c.pose_b;
+    pose_a.translation() *= by, pose_b.translation() *= by;
+    const auto q = penetration(c.a.scaled(by), pose_a, c.b.scaled(by), pose_b, {margin * by});
+    if (!q || q->depth != p->depth * by || q->lower_bound != p->lower_bound * by) return "scaled by " + hex(by);
+  }
+  return {};
+}
+
+Case ofAnyRatio(Random& random) {
+  const auto shape = [&](double size) {
+    const int corners = random.integer(3, 7);
+    return Polygon({scaled(random.coin() ? anyConvex(random, 1) : star(random, corners, 0.3, 1), size)});
+  };
+  const Polygon a = shape(1), b = shape(std::pow(10, random.integer(-6, -1)));
+  return {a, Pose::Identity(), b, randomPose(random, 1)};
+}
+
 Laws penetrationLaws() {
   Limits limits;
   limits.most_exponent = 280;
@@ -204,6 +281,10 @@ Laws penetrationLaws() {
       {{"hits", 0.5, 0.98}, {"less deep than the hulls", 0.333, 0.98}, {"optimal", 1, 1}});
   add(laws, {family("many_vertices", manyVertices)}, 6, wrongDeep, {{"hits", 1, 1}, {"optimal", 1, 1}});
   add(laws, {family("convex", convexPair)}, 3000, wrongConvex, {{"hits", 0.333, 0.98}, {"shallow", 0.001, 0.9}});
+  add(laws, {family("tiny_in_corner", tinyInCorner)}, 600, wrongInCorner, {{"hits", 0.5, 1}});
+  add(laws, {family("comb_in_notch", combInNotch)}, 300, wrongInNotch, {{"hits", 0.5, 1}, {"steep", 0.25, 0.98}});
+  add(laws, {family("comb_in_notch", combInNotch)}, 200, wrongScaled, {{"optimal", 0.02, 0.75}}, "scaled_");
+  add(laws, {family("any_ratio", ofAnyRatio)}, 300, wrong, {{"hits", 0.1, 0.98}, {"optimal", 1, 1}});
   add(laws, families(), 300, wrong, {{"hits", 0.25, 0.98}, {"deep", 0.1, 1}, optimal});
   add(laws, anyPairs(limits), 100, wrong);
   add(laws, anyPairs(convex), 200, wrong, {{"hits", 0.02, 0.98}}, "both_");

@@ -74,10 +74,38 @@ std::string wrongAtThin(Random& random, Tally& tally) {
   return wrongOf(polygon, placed, {from, from + beyond * (placed * q - from)}, tally);
 }
 
+/// The first interval begins with castRay()'s hit, and ends lie where the grown region ends.
+std::string wrongWithMargin(Random& random, Tally& tally) {
+  const Polygon polygon({star(random, random.integer(3, 40), 0.2, 1)});
+  const Pose placed = randomPose(random, 1);
+  const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
+  const double margin = random.real(0.01, 0.3);
+  const auto parts = castRayAll(polygon, placed, from, to, {margin});
+  const auto first = castRay(polygon, placed, from, to, {margin});
+  tally.count("hits", first.has_value());
+  tally.count("several", parts.size() > 1);
+  if (first.has_value() == parts.empty()) return "hit or not";
+  if (first && (first->fraction != parts[0].begin.fraction || first->normal != parts[0].begin.normal ||
+                first->edge != parts[0].begin.edge))
+    return "the first begin";
+  const auto isWithin = [&](const Vec2& p, double by) {
+    return collide(point(p), Pose::Identity(), polygon, placed, {margin + by, 0});
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const RayHit &begin = parts[k].begin, &end = parts[k].end;
+    for (const RayHit* hit : {&begin, &end})
+      if (!isWithin(hit->point, 1e-12) || (hit->edge >= 0 && isWithin(hit->point, -1e-12))) return "an end";
+    if (!isWithin(0.5 * (begin.point + end.point), 1e-12)) return "a part's middle";
+    if (k > 0 && isWithin(0.5 * (parts[k - 1].end.point + begin.point), -1e-12)) return "between two parts";
+  }
+  return {};
+}
+
 Laws rayLaws() {
   const Shares shares = {
       {"misses", 0.05, 0.9}, {"starts inside", 0.05, 0.9}, {"hits", 0.05, 0.9}, {"several parts or touches", 0.01, 1}};
-  Laws laws = {{"thin", 1500, wrongAtThin, shares}};
+  Laws laws = {{"thin", 1500, wrongAtThin, shares},
+               {"margins", 300, wrongWithMargin, {{"hits", 0.2, 0.9}, {"several", 0.03, 0.9}}}};
   add(laws, families(), 300, wrong, shares);
   add(laws, anyPairs(), 150, wrong, {{"misses", 0.02, 0.98}});
   return laws;

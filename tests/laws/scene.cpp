@@ -8,6 +8,7 @@
 #include "families.h"
 #include "law.h"
 #include "pairs.h"
+#include "reproduction.h"
 #include "scene_walk.h"
 #include "shapes.h"
 #include "touching_families.h"
@@ -75,6 +76,42 @@ std::string wrongZones(Random& random, Tally& tally) {
   return wrongWalk(cases, random, tally, random.oneIn(6) ? 40 : 10, 15);
 }
 
+/// In and about containers, which learn where they are clear: the answers are collide()'s, up to the walls.
+std::string wrongInContainer(Random& random, Tally& tally) {
+  const int kind = random.integer(0, 2);
+  const Ring hole = kind == 0 ? rectangle(-7, -4, 7, 4) : star(random, kind == 1 ? 9 : 40, 3, 8);
+  const Polygon container({rectangle(-9, -9, 9, 9), hole}), part({rectangle(-0.5, -0.5, 0.5, 0.5)});
+  BodyOptions body{random.oneIn(3) ? random.real(0, 0.5) : 0};
+  Scene scene;
+  const Scene::Body is_in = scene.add(container, turnedAndMoved(random.coin() ? 0 : random.real(0, 6), 0, 0), body);
+  for (int k = 0; k < 100; ++k) {
+    if (k == 25) body.margin += 0.25, scene.setOptions(is_in, body);  // where it was clear it may not be now
+    if (k == 50) scene.move(is_in, turnedAndMoved(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
+    const CollideOptions options{random.oneIn(3) ? random.real(0, 0.5) : 0};
+    const bool is_by_the_wall = kind == 0 && random.oneIn(4);
+    const Pose at =
+        turnedAndMoved(0, random.real(-8, 8), is_by_the_wall ? 3.5 - body.margin - options.margin : random.real(-5, 5));
+    const bool hit = collide(part, at, container, scene.pose(is_in), {options.margin + body.margin});
+    tally.count("hits", hit);
+    tally.count("by the wall", is_by_the_wall);
+    if (scene.collides(part, at, options) != hit || scene.colliding(part, at, options).empty() == hit)
+      return "question " + std::to_string(k) + "\n" + reproduction({part, at, container, scene.pose(is_in)});
+  }
+  return {};
+}
+
+/// So many that they come by the hundred, and are packed.
+std::string wrongOfMany(Random& random, Tally& tally) {
+  const Polygon square({rectangle(-1, -1, 1, 1)});
+  std::vector<Case> cases;
+  for (int i = 0; i < 600; ++i) {
+    const double angle = random.real(0, 6), x = random.real(0, 60);
+    const Pose at = turnedAndMoved(angle, x, random.real(0, 60));
+    cases.push_back({square, at, square, at});
+  }
+  return wrongWalk(cases, random, tally, 600, 4);
+}
+
 /// Of frames: some ten see each of these.
 Shares seen(double least, std::initializer_list<const char*> traits) {
   Shares shares;
@@ -85,6 +122,8 @@ Shares seen(double least, std::initializer_list<const char*> traits) {
 Laws sceneLaws() {
   const auto all = {"hits", "began", "ended", "free", "inside", "impacts", "rays"};
   Laws laws = {{"crowds", 20, wrongCrowd, seen(0.02, all)},
+               {"containers", 60, wrongInContainer, {{"hits", 0.25, 0.75}, {"by the wall", 0.02, 0.5}}},
+               {"many", 8, wrongOfMany, seen(0.02, {"hits", "began", "ended"})},
                {"zones", 48, wrongZones, seen(0.014, {"hits", "began", "free", "impacts", "rays"})}};
   for (const Family& family : joined(families(), anyPairs()))
     laws.push_back({family.name, 32, [family](Random& random, Tally& tally) { return wrongOf(family, random, tally); },

@@ -37,7 +37,7 @@ class SceneWalk {
       parts_.push_back({c.a, c.pose_a});
       parts_.push_back({c.b, c.pose_b});
     }
-    while (bodies_.size() < most_ * 2 / 3) add(random_.integer(1, 9));
+    while (bodies_.size() < most_ * 2 / 3) add(random_.integer(1, most_ > 100 ? 300 : 9));
   }
 
   void frame() {

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What polygons are made of, and what they are numbered by. Vertices that are repeated change no answer and cost
+// nothing: a polygon is asked as if it had been written without them. Its edges keep the numbers that they were written
+// with.
 #include "tricover/polygon.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "exact_reference.h"
-#include "families.h"
-#include "random.h"
 #include "refusal.h"
 #include "shapes.h"
+#include "tricover/collide.h"
+#include "tricover/conflicts.h"
+#include "tricover/contacts.h"
+#include "tricover/distance.h"
 #include "tricover/paper.h"
+#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -37,11 +46,10 @@ TEST(PolygonValidation, NamesWhatIsWrongAndWhere) {
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     Ring ring = good;
     ring[3].y() = bad;
-    const std::string text = refusal({good, good, ring});
-    EXPECT_EQ(text, "tricover: rings: ring 2, vertex 3: a coordinate is not finite");
+    EXPECT_EQ(refusal({good, good, ring}), "tricover: rings: ring 2, vertex 3: a coordinate is not finite");
     ring = good;
     ring[0].x() = bad;
-    EXPECT_TRUE(names(refusal({ring}), "ring 0") && names(refusal({ring}), "vertex 0"));
+    EXPECT_EQ(refusal({ring}), "tricover: rings: ring 0, vertex 0: a coordinate is not finite");
   }
 }
 
@@ -49,7 +57,7 @@ TEST(PolygonValidation, OfRawVerticesIsThatOfTheirRingAlone) {
   const auto refusalOfRaw = [](const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd) {
     return support::refusal([&] { const Polygon polygon(vertices, count, fill); });
   };
-  Ring ring = rectangle(0, 0, 1, 1);
+  const Ring ring = rectangle(0, 0, 1, 1);
   EXPECT_EQ(refusalOfRaw(nullptr, 4), "tricover: rings: ring 0: its vertices are at no address");
   for (std::size_t count = 0; count < 3; ++count) {
     const std::string text = refusal({Ring(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count))});
@@ -60,38 +68,32 @@ TEST(PolygonValidation, OfRawVerticesIsThatOfTheirRingAlone) {
   for (const std::size_t count : {std::size_t{1} << 29, std::numeric_limits<std::size_t>::max()})
     EXPECT_TRUE(names(support::refusal<std::length_error>([&] { const Polygon polygon(ring.data(), count); }),
                       "tricover: rings: more than 2^29 vertices"));
-  EXPECT_EQ(refusalOfRaw(ring.data(), 4, static_cast<FillRule>(7)), "tricover: fill: not a FillRule");
+  const std::string no_rule = "tricover: fill: not a FillRule";
+  EXPECT_EQ(refusalOfRaw(ring.data(), 4, static_cast<FillRule>(7)), no_rule);
+  EXPECT_EQ(support::refusal([&] { Polygon({ring}, static_cast<FillRule>(7)); }), no_rule);
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
-    ring = rectangle(0, 0, 1, 1);
-    ring[2].y() = bad;
-    EXPECT_EQ(refusalOfRaw(ring.data(), 4), "tricover: rings: ring 0, vertex 2: a coordinate is not finite");
+    Ring broken = ring;
+    broken[2].y() = bad;
+    EXPECT_EQ(refusalOfRaw(broken.data(), 4), "tricover: rings: ring 0, vertex 2: a coordinate is not finite");
   }
-}
-
-TEST(PolygonValidation, FillRuleIsOne) {
-  EXPECT_EQ(support::refusal([] { Polygon({rectangle(0, 0, 1, 1)}, static_cast<FillRule>(7)); }),
-            "tricover: fill: not a FillRule");
 }
 
 TEST(PolygonValidation, RepeatedCollinearAndExtremeVerticesAreLegal) {
   constexpr double kLargest = std::numeric_limits<double>::max();
-  EXPECT_EQ(refusal({{{1, 1}, {1, 1}, {1, 1}}}), "");
-  EXPECT_EQ(refusal({{{0, 0}, {1, 1}, {2, 2}}}), "");
-  EXPECT_EQ(refusal({{{-kLargest, -kLargest}, {kLargest, -kLargest}, {0, kLargest}}}), "");
-  EXPECT_EQ(refusal({{{0, 0}, {0, 5e-324}, {5e-324, 0}}}), "");
+  for (const Ring& ring : {Ring(3, Vec2(1, 1)), Ring{{0, 0}, {1, 1}, {2, 2}}, Ring{{0, 0}, {0, 5e-324}, {5e-324, 0}},
+                           Ring{{-kLargest, -kLargest}, {kLargest, -kLargest}, {0, kLargest}}})
+    EXPECT_EQ(refusal({ring}), "");
 }
 
-TEST(PolygonId, IsNeverReusedAndSharedByCopies) {
-  std::set<std::uint64_t> seen;
-  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(seen.insert(Polygon({rectangle(0, 0, 1, 1)}).id()).second);
-  EXPECT_EQ(seen.count(0), 0u) << "0 stands for no polygon in the caches";
+TEST(PolygonId, IsSharedByCopies) {
   const Polygon original({rectangle(0, 0, 1, 1)});
   const Polygon copy = original;  // NOLINT: the copy is the point
   EXPECT_EQ(copy.id(), original.id());
   EXPECT_EQ(&copy.rings(), &original.rings());
 }
 
-TEST(PolygonId, IsUniqueBeyondABlockOfIds) {
+/// Nor beyond a block of ids; and 0 stands for no polygon in the caches.
+TEST(PolygonId, IsNeverReused) {
   constexpr std::size_t kIds = (std::size_t{1} << 20) + 1000;
   const std::vector<Vec2> triangle = {{0, 0}, {1, 0}, {0, 1}};
   std::vector<std::uint64_t> ids;
@@ -101,80 +103,53 @@ TEST(PolygonId, IsUniqueBeyondABlockOfIds) {
   EXPECT_NE(ids.front(), 0u);
 }
 
+const Motion kStill;
+const Pose kHere = Pose::Identity();
+
+/// Each vertex so many times, the first one as often at the ring's end as at its begin.
+Ring repeated(const Ring& ring, int times) {
+  Ring all;
+  for (std::size_t i = 0; i < ring.size() * static_cast<std::size_t>(times); ++i)
+    all.push_back(ring[(i + 1) / static_cast<std::size_t>(times) % ring.size()]);
+  return all;
+}
+
+const Ring kL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+
+std::vector<std::vector<Ring>> cases() {
+  const Ring square = rectangle(-1, -1, 1, 1), hole = rectangle(-0.5, -0.5, 0.5, 0.5);
+  std::vector<std::vector<Ring>> all;
+  for (const int times : {2, 3, 7, 40})
+    for (const Ring& ring : {square, kL, Ring{{0, 0}, {1, 0}}, Ring{{0.25, 0.5}}}) {
+      if (ring.size() * static_cast<std::size_t>(times) < 3) continue;
+      all.push_back({repeated(ring, times)});
+      all.push_back({repeated(ring, times), hole});
+      all.push_back({hole, repeated(ring, times), {{3, 3}, {3, 3}, {3, 3}}, square, repeated(hole, 2)});
+    }
+  return all;
+}
+
 TEST(Polygon, KeepsItsRingsAndNumbersItsEdgesThroughThem) {
-  const std::vector<Ring> rings = {rectangle(0, 0, 9, 9), {{1, 1}, {1, 2}, {2, 1}}, rectangle(4, 4, 6, 6)};
-  const Polygon polygon(rings, FillRule::NonZero);
-  EXPECT_EQ(polygon.rings(), rings);
-  EXPECT_EQ(polygon.fillRule(), FillRule::NonZero);
-  ASSERT_EQ(polygon.vertexCount(), 11u);
-  EXPECT_EQ(polygon.edgeCount(), 11);
-  EdgeIndex edge = 0;
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i, ++edge) {
-      EXPECT_EQ(polygon.edgeStart(edge), ring[i]);
-      EXPECT_EQ(polygon.edgeEnd(edge), ring[(i + 1) % ring.size()]);
-    }
-  }
-  EXPECT_THROW(polygon.edgeStart(11), std::out_of_range);
-  EXPECT_THROW(polygon.edgeEnd(11), std::out_of_range);
-}
-
-/// Bit for bit.
-TEST(Polygon, OfRawVerticesIsThatOfTheirRing) {
-  for (const Family& family : families()) {
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const Case c = family.make(seed);
-      for (const Polygon& polygon : {c.a, c.b}) {
-        const Ring& ring = polygon.rings().back();
-        const Polygon by_ring({ring}, polygon.fillRule()), raw(ring.data(), ring.size(), polygon.fillRule());
-        ASSERT_EQ(raw.rings(), by_ring.rings()) << family.name << " seed " << seed;
-        ASSERT_EQ(raw.fillRule(), polygon.fillRule());
-        ASSERT_EQ(raw.origin(), by_ring.origin());
-        ASSERT_EQ(raw.radius(), by_ring.radius());
+  std::vector<std::vector<Ring>> all = cases();
+  all.push_back({rectangle(0, 0, 9, 9), {{1, 1}, {1, 2}, {2, 1}}, rectangle(4, 4, 6, 6)});
+  for (const std::vector<Ring>& rings : all) {
+    const Polygon polygon(rings, FillRule::NonZero);
+    EXPECT_EQ(polygon.rings(), rings);
+    EXPECT_EQ(polygon.fillRule(), FillRule::NonZero);
+    EdgeIndex edge = 0;
+    for (const Ring& ring : rings)
+      for (std::size_t i = 0; i < ring.size(); ++i, ++edge) {
+        EXPECT_EQ(polygon.edgeStart(edge), ring[i]) << edge;
+        EXPECT_EQ(polygon.edgeEnd(edge), ring[(i + 1) % ring.size()]) << edge;
       }
+    EXPECT_EQ(polygon.edgeCount(), edge);
+    EXPECT_EQ(polygon.vertexCount(), static_cast<std::size_t>(edge));
+    for (const EdgeIndex none : {EdgeIndex{-1}, edge, std::numeric_limits<EdgeIndex>::min()}) {
+      EXPECT_THROW(polygon.edgeStart(none), std::out_of_range);
+      EXPECT_THROW(polygon.edgeEnd(none), std::out_of_range);
     }
-  }
-}
-
-TEST(Polygon, DiscHoldsEveryVertexAndIsTightAtEverySize) {
-  for (const Family& family : families()) {
-    for (std::uint64_t seed = 0; seed < 50; ++seed) {
-      const Case c = family.make(seed);
-      for (const Polygon& polygon : {c.a, c.b}) {
-        const Vec2 s = polygon.origin();
-        mpq_class farthest = 0;
-        Vec2 low = polygon.rings()[0][0], high = low;
-        for (const Ring& ring : polygon.rings()) {
-          for (const Vec2& v : ring) {
-            low = low.cwiseMin(v);
-            high = high.cwiseMax(v);
-            const mpq_class distance_squared = exact::distanceSquared(v, s, s);
-            if (farthest < distance_squared) farthest = distance_squared;
-          }
-        }
-        EXPECT_TRUE((low.array() <= s.array()).all() && (s.array() <= high.array()).all()) << family.name;
-        if (polygon.radius() == kInfinity) continue;
-        EXPECT_TRUE(exact::within(farthest, mpq_class(polygon.radius()))) << family.name << " seed " << seed;
-        // A few of the smallest doubles more where the distances are no larger themselves.
-        const mpq_class tight = (mpq_class(polygon.radius()) - 8 * mpq_class(5e-324)) * mpq_class(1 - 1e-12);
-        EXPECT_TRUE(tight <= 0 || tight * tight <= farthest) << family.name << " seed " << seed;
-      }
-    }
-  }
-}
-
-TEST(Polygon, DiscHoldsEveryVertexOfAFewOfTheSmallestDoubles) {
-  constexpr double e = std::numeric_limits<double>::denorm_min();
-  Random random(3);
-  for (int i = 0; i < 2000; ++i) {
-    Ring ring;
-    for (int k = random.integer(3, 5); k > 0; --k)
-      ring.emplace_back(e * random.integer(-3, 3), e * random.integer(-3, 3));
-    const Polygon polygon({ring});
-    for (const Vec2& v : ring)
-      ASSERT_TRUE(
-          exact::within(exact::distanceSquared(v, polygon.origin(), polygon.origin()), mpq_class(polygon.radius())))
-          << "case " << i;
+    EXPECT_EQ(paper::covering(polygon).size(), static_cast<std::size_t>(edge));
+    EXPECT_EQ(polygon.translated({1, 0}).translated({-1, 0}).rings(), rings);
   }
 }
 
@@ -205,12 +180,62 @@ TEST(Polygon, IsAsItWasWhenMovedFrom) {
   EXPECT_EQ(other.vertexCount(), 4u);
 }
 
-TEST(Polygon, RefusesEdgesThatArentThere) {
-  const Polygon polygon({rectangle(0, 0, 1, 1)});
-  for (const EdgeIndex edge : {EdgeIndex{-1}, EdgeIndex{4}, std::numeric_limits<EdgeIndex>::min()}) {
-    EXPECT_THROW(polygon.edgeStart(edge), std::out_of_range);
-    EXPECT_THROW(polygon.edgeEnd(edge), std::out_of_range);
+/// The edge that a result names is one with a length, unless there is none, and the nearest point is on it.
+TEST(RepeatedVertices, AreNoEdgesOfResults) {
+  const Polygon probe = box(0.5, 0.25);
+  for (const std::vector<Ring>& rings : cases()) {
+    const Polygon polygon(rings);
+    for (int i = 0; i < 24; ++i) {
+      const Pose at = turnedAndMoved(0.3 * i, 4 * std::cos(0.26 * i), 4 * std::sin(0.26 * i));
+      const DistanceResult found = distance(polygon, kHere, probe, at);
+      const Vec2 v = polygon.edgeStart(found.edge_a), w = polygon.edgeEnd(found.edge_a);
+      EXPECT_LE((found.point_a - v).norm() + (w - found.point_a).norm(), (w - v).norm() + 1e-12);
+      EXPECT_NEAR(distance(segment(v, w), kHere, probe, at).distance, found.distance, 1e-12);
+      const Vec2 middle = at.translation();
+      for (const Crossing& crossing : crossings(polygon, kHere, segment(-middle, middle), kHere))
+        EXPECT_LE((crossing.point - polygon.edgeStart(crossing.edge_a)).norm(),
+                  (polygon.edgeEnd(crossing.edge_a) - polygon.edgeStart(crossing.edge_a)).norm() + 1e-12);
+    }
   }
+  EXPECT_TRUE(Polygon({repeated(rectangle(-1, -1, 1, 1), 9)}).isConvex());
+  // As the vertices that begin a side are written: the last of those that repeat.
+  const Polygon square({repeated(rectangle(-1, -1, 1, 1), 3)});
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, 0, -4)).edge_a, 1);
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, 4, 0)).edge_a, 4);
+  EXPECT_EQ(distance(square, kHere, probe, turnedAndMoved(0, -4, 0)).edge_a, 10);
+}
+
+TEST(RepeatedVertices, OfASegmentOrAPointCrossOnce) {
+  const Polygon square = box(2, 2);
+  // Both edges of the segment meet the square's right side, edge 1.
+  const std::vector<Crossing> found = crossings(square, kHere, Polygon({{{0, 0}, {0, 0}, {2, 0}, {0, 0}}}), kHere);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].edge_a, 1);
+  EXPECT_EQ(found[1].edge_a, 1);
+  EXPECT_EQ(found[0].edge_b + found[1].edge_b, 1 + 2);
+  const Vec2 middle(1, 0.25);
+  EXPECT_EQ(crossings(square, kHere, Polygon({{middle, middle, middle, middle, middle}}), kHere).size(), 1u);
+}
+
+/// A point slides along an edge, and so does a segment: the contact lasts as long as that of point() and segment().
+TEST(RepeatedVertices, OfAPointLastInContact) {
+  const Polygon floor({kL});
+  for (const double time_error : {1e-6, 1e-9})
+    for (const int times : {3, 4, 17}) {
+      const Ring one{{0.25, 0.5}};
+      const Polygon written({repeated(one, times)}), twice(std::vector<Ring>{repeated(one, times), repeated(one, 3)});
+      const Motion way = Motion::translation(turnedAndMoved(0, -2.25, -0.5), {8, 0}), on = way.part(0.375, 1);
+      const auto expected = conflicts(floor, kStill, point(one[0]), way, {0, time_error});
+      ASSERT_EQ(expected.size(), 1u);
+      for (const Polygon& polygon : {written, twice}) {
+        const auto found = conflicts(floor, kStill, polygon, way, {0, time_error});
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_FALSE(found[0].budget_ended);
+        EXPECT_NEAR(found[0].impact.time, expected[0].impact.time, 1e-12);
+        EXPECT_NEAR(found[0].end, expected[0].end, time_error);
+        EXPECT_FALSE(timeOfImpact(floor, kStill, polygon, on, {0, time_error, true}).has_value());
+      }
+    }
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/collide.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -281,43 +280,6 @@ TEST(RayAll, MeetsAMargin) {
   EXPECT_NEAR(far[0].begin.point.x() / 1e306, -1.1, 1e-6);
   EXPECT_NEAR(far[0].end.point.x() / 1e306, 1.1, 1e-6);
   EXPECT_NEAR(far[1].end.point.x() / 1e306, 11.1, 1e-6);
-}
-
-/// The first interval begins with castRay()'s hit, and ends lie where the grown region ends.
-TEST(RayAll, WithAMarginAgreesWithCastRayAndCollide) {
-  Random random(5);
-  int several = 0, intervals = 0;
-  for (int i = 0; i < scaledCount(300); ++i) {
-    const Polygon polygon({star(random, random.integer(3, 40), 0.2, 1)});
-    const Pose placed = randomPose(random, 1);
-    const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
-    const double margin = random.real(0.01, 0.3);
-    const auto parts = castRayAll(polygon, placed, from, to, {margin});
-    const auto first = castRay(polygon, placed, from, to, {margin});
-    ASSERT_EQ(first.has_value(), !parts.empty());
-    if (first) {
-      EXPECT_EQ(first->fraction, parts[0].begin.fraction);
-      EXPECT_EQ(first->normal, parts[0].begin.normal);
-      EXPECT_EQ(first->edge, parts[0].begin.edge);
-    }
-    several += parts.size() > 1;
-    const auto collidesAt = [&](const Vec2& p, double by) {
-      return collide(point(p), Pose::Identity(), polygon, placed, {margin + by, 0});
-    };
-    for (const RayInterval& part : parts) {
-      ++intervals;
-      for (const RayHit* hit : {&part.begin, &part.end}) {
-        EXPECT_TRUE(collidesAt(hit->point, 1e-12));
-        EXPECT_TRUE(hit->edge < 0 || !collidesAt(hit->point, -1e-12));
-      }
-      EXPECT_TRUE(collidesAt(0.5 * (part.begin.point + part.end.point), 1e-12));
-    }
-    for (std::size_t k = 0; k + 1 < parts.size(); ++k)
-      EXPECT_FALSE(collidesAt(0.5 * (parts[k].end.point + parts[k + 1].begin.point), -1e-12));
-  }
-  if (isScaledDown()) return;
-  EXPECT_GT(several, 10);
-  EXPECT_GT(intervals, 100);
 }
 
 TEST(Ray, RefusesWhatIsNotFinite) {

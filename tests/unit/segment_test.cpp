@@ -25,11 +25,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Pose kHere = Pose::Identity();
 
 bool within(const Polygon& a, const Polygon& b, double margin) {
-  CollideOptions options;
-  options.margin = margin;
-  const bool answer = collide(a, kHere, b, kHere, options);
-  EXPECT_EQ(collide(b, kHere, a, kHere, options), answer);
+  const bool answer = collide(a, kHere, b, kHere, {margin});
+  EXPECT_EQ(collide(b, kHere, a, kHere, {margin}), answer);
   return answer;
+}
+
+/// At that distance, and not a rounding nearer.
+void expectApart(const Polygon& a, const Polygon& b, double distance) {
+  EXPECT_TRUE(within(a, b, distance)) << distance;
+  if (distance > 0) EXPECT_FALSE(within(a, b, nudged(distance, -1))) << distance;
 }
 
 DistanceResult gap(const Polygon& a, const Polygon& b, double margin, double limit = kInfinity) {
@@ -69,8 +73,7 @@ TEST(Segment, RefusesWhatIsNotFinite) {
 TEST(Margin, OfPointsIsADisc) {
   for (const double unit : {1.0, 0x1p-1000, 0x1p1000, 0x1p-1070}) {
     const Polygon p = point(unit * Vec2(1, 1)), q = point(unit * Vec2(4, 5));
-    EXPECT_TRUE(within(p, q, 5 * unit)) << unit;
-    EXPECT_FALSE(within(p, q, nudged(5 * unit, -1))) << unit;
+    expectApart(p, q, 5 * unit);
     EXPECT_EQ(gap(p, q, 5 * unit).distance, 0) << unit;
     EXPECT_GT(gap(p, q, nudged(5 * unit, -1)).distance, 0) << unit;
     EXPECT_EQ(gap(p, q, 2 * unit).distance, 3 * unit) << unit;
@@ -82,26 +85,19 @@ TEST(Margin, OfPointsIsADisc) {
 TEST(Margin, OfAPointBesideAPolygonWithoutExtent) {
   const Ring ring{{-4, -4}, {-4, -4}, {-4, -4}};
   const Polygon rings({ring, ring}), p = point({-2, -2});
-  CollideOptions options;
-  for (const double margin : {4.0, 1e300}) {
-    options.margin = margin;
-    EXPECT_TRUE(collide(rings, kHere, p, kHere, options)) << margin;
-  }
-  options.margin = 2;
-  EXPECT_FALSE(collide(rings, kHere, p, kHere, options));
+  for (const double margin : {4.0, 1e300}) EXPECT_TRUE(within(rings, p, margin)) << margin;
+  EXPECT_FALSE(within(rings, p, 2));
   EXPECT_EQ(gap(rings, p, 2, 0).distance, gap(point({-4, -4}), p, 2, 0).distance);
 }
 
 TEST(Margin, OfASegmentIsAStadium) {
   const Polygon s = segment({0, 0}, {8, 0});
-  EXPECT_TRUE(within(s, point({4, 3}), 3));
-  EXPECT_FALSE(within(s, point({4, 3}), nudged(3, -1)));
-  EXPECT_TRUE(within(s, point({-3, 4}), 5));
-  EXPECT_FALSE(within(s, point({11, -4}), nudged(5, -1)));
-  EXPECT_TRUE(within(s, segment({2, -1}, {3, 1}), 0));
-  EXPECT_TRUE(within(s, segment({8, 0}, {9, 1}), 0));
-  EXPECT_FALSE(within(s, segment({2, 1}, {3, 2}), nudged(1, -1)));
-  EXPECT_TRUE(within(s, segment({2, 1}, {3, 2}), 1));
+  expectApart(s, point({4, 3}), 3);
+  expectApart(s, point({-3, 4}), 5);
+  expectApart(s, point({11, -4}), 5);
+  expectApart(s, segment({2, -1}, {3, 1}), 0);
+  expectApart(s, segment({8, 0}, {9, 1}), 0);
+  expectApart(s, segment({2, 1}, {3, 2}), 1);
 }
 
 /// A frame whose hole has a radius of 3 around the origin.
@@ -109,18 +105,14 @@ Polygon frame() { return Polygon({rectangle(-5, -5, 5, 5), rectangle(-3, -3, 3, 
 
 TEST(Margin, OfAPointBesideAPolygon) {
   const Polygon f = frame();
-  EXPECT_FALSE(within(f, point({0, 0}), nudged(3, -1)));  // in the hole
-  EXPECT_TRUE(within(f, point({0, 0}), 3));
+  expectApart(f, point({0, 0}), 3);  // in the hole
   EXPECT_EQ(gap(f, point({1, 0}), 0.5).distance, 1.5);
-  EXPECT_TRUE(within(f, point({4, 0.5}), 0));  // inside
   EXPECT_EQ(gap(f, point({4, 0.5}), 1).distance, 0);
-  EXPECT_TRUE(within(f, point({5, 2}), 0));    // on an edge
-  EXPECT_TRUE(within(f, point({-5, -5}), 0));  // on a vertex
+  for (const Vec2& p : {Vec2(4, 0.5), Vec2(5, 2), Vec2(-5, -5)}) expectApart(f, point(p), 0);  // inside, on the outline
   EXPECT_FALSE(within(f, point({nudged(5, 1), 2}), 0));
-  EXPECT_TRUE(within(f, segment({0, 0}, {4, 0}), 0));
-  EXPECT_FALSE(within(f, segment({-1, 0}, {1, 0}), nudged(2, -1)));
-  EXPECT_TRUE(within(f, segment({-1, 0}, {1, 0}), 2));
-  EXPECT_TRUE(within(f, segment({-9, -9}, {9, 9}), 0));  // longer than the polygon is large
+  expectApart(f, segment({0, 0}, {4, 0}), 0);
+  expectApart(f, segment({-1, 0}, {1, 0}), 2);
+  expectApart(f, segment({-9, -9}, {9, 9}), 0);  // longer than the polygon is large
   EXPECT_EQ(gap(f, segment({-9, 9}, {9, 9}), 1).distance, 3);
 }
 
@@ -129,10 +121,9 @@ TEST(Margin, OfAPointFarFromATinyPolygon) {
   for (const double tiny : {1e-16, 1e-18, 1e-19, 1e-20, 1e-21, 1e-23, 1e-40, 1e-300}) {
     const Polygon a({{{-tiny, -tiny}, {tiny, -tiny}, {tiny, tiny}, {-tiny, tiny}, {0, tiny / 2}}});
     for (const double turn : {0.0, 0.3}) {
-      Pose pose = Pose::Identity();
-      pose.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
-      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity()).distance, 5, 1e-14) << tiny;
-      EXPECT_NEAR(distance(a, pose, point({3, 4}), Pose::Identity(), DistanceOptions{1}).distance, 4, 1e-14) << tiny;
+      const Pose turned = turnedAndMoved(turn, 0, 0);
+      EXPECT_NEAR(distance(a, turned, point({3, 4}), kHere).distance, 5, 1e-14) << tiny;
+      EXPECT_NEAR(distance(a, turned, point({3, 4}), kHere, DistanceOptions{1}).distance, 4, 1e-14) << tiny;
     }
   }
   const Polygon a({{{-1e-300, 0}, {1e-300, 0}, {0, 1e-300}}});
@@ -142,16 +133,14 @@ TEST(Margin, OfAPointFarFromATinyPolygon) {
 
 TEST(Margin, OfADistanceKeepsPointsAndEdgesOfTheRegions) {
   const Polygon square({rectangle(0, 0, 4, 4)});
-  const DistanceResult apart = gap(square, point({7, 1}), 1);
-  EXPECT_EQ(apart.distance, 2);
-  EXPECT_EQ(apart.point_a, Vec2(4, 1));
-  EXPECT_EQ(apart.point_b, Vec2(7, 1));
-  EXPECT_EQ(apart.edge_a, 1);
-  EXPECT_EQ(apart.edge_b, 0);
-  const DistanceResult within_margin = gap(square, point({7, 1}), 10);
-  EXPECT_EQ(within_margin.distance, 0);
-  EXPECT_EQ(within_margin.point_a, Vec2(4, 1));
-  EXPECT_EQ(within_margin.point_b, Vec2(7, 1));
+  for (const double margin : {1.0, 10.0}) {
+    const DistanceResult found = gap(square, point({7, 1}), margin);
+    EXPECT_EQ(found.distance, margin == 1 ? 2 : 0);
+    EXPECT_EQ(found.point_a, Vec2(4, 1));
+    EXPECT_EQ(found.point_b, Vec2(7, 1));
+    EXPECT_EQ(found.edge_a, 1);
+    EXPECT_EQ(found.edge_b, 0);
+  }
   const DistanceResult inside = gap(square, point({1, 2}), 10);
   EXPECT_EQ(inside.distance, 0);
   EXPECT_EQ(inside.point_a, inside.point_b);
@@ -170,29 +159,23 @@ TEST(Margin, CountsBeforeTheLimit) {
 
 TEST(Margin, OfADistanceMustBeFiniteAndNotNegative) {
   const Polygon p = point({0, 0});
-  for (const double margin : {-1.0, kInfinity, double{NAN}}) {
-    DistanceOptions options;
-    options.margin = margin;
-    EXPECT_THROW(distance(p, kHere, p, kHere, options), std::invalid_argument) << margin;
-  }
+  for (const double margin : {-1.0, kInfinity, double{NAN}})
+    EXPECT_THROW(distance(p, kHere, p, kHere, DistanceOptions{margin}), std::invalid_argument) << margin;
 }
 
 TEST(Margin, MakesDiscsMeetInTime) {
   const Polygon p = point({0, 0});
-  ImpactOptions options;
-  options.margin = 1;
-  options.time_error = 1e-12;
-  const Motion still = Motion::still(kHere);
-  Pose start = kHere;
-  start.translation() << 10, 0;
-  const auto impact = timeOfImpact(p, still, p, Motion::translation(start, {-18, 0}), options);
+  const ImpactOptions options{1, 1e-12};
+  const auto fly = [&](double y) {
+    return timeOfImpact(p, Motion(), p, Motion::translation(turnedAndMoved(0, 10, y), {-18, 0}), options);
+  };
+  const auto impact = fly(0);
   ASSERT_TRUE(impact);
   EXPECT_NEAR(impact->time, 0.5, 1e-12);
   EXPECT_LE(impact->time, 0.5);
   EXPECT_EQ(impact->edge_a, 0);
   EXPECT_EQ(impact->edge_b, 0);
-  start.translation() << 10, nudged(1, 4096);
-  EXPECT_FALSE(timeOfImpact(p, still, p, Motion::translation(start, {-18, 0}), options));
+  EXPECT_FALSE(fly(nudged(1, 4096)));
 }
 
 }  // namespace

@@ -31,15 +31,46 @@ PosedPair largerFirst(const Case& c) {
   return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
 }
 
-/// An answer about two polygons: the same on all lanes, and the truth unless it is Unknown.
-template <typename Answer>
-detail::Meeting meetingAlike(const Answer& answer, const Case& c) {
-  const detail::Meeting meeting = answer();
-  EXPECT_EQ(onPortableLanes(answer), meeting);
-  if (meeting == detail::Meeting::Unknown) return meeting;
-  EXPECT_EQ(meeting == detail::Meeting::Meet, exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
-  return meeting;
-}
+/// What floats can't tell the check does, about the right edges.
+struct Check {
+  const PosedPair& pair;
+  int asked = 0;
+  static bool meet(const void* context, detail::EdgePosition edge_a, detail::EdgePosition edge_b) {
+    Check& check = *static_cast<Check*>(const_cast<void*>(context));
+    ++check.asked;
+    EXPECT_LT(edge_a, check.pair.a.path.size() - 1);
+    EXPECT_LT(edge_b, check.pair.b.path.size() - 1);
+    return edgesMeet(check.pair, edge_a, edge_b);
+  }
+};
+
+/// What answers are like; by edges that cross, or else by what is inside.
+struct Answers {
+  int apart = 0, meet = 0, crossing = 0, unknown = 0, doubted = 0;
+
+  /// The same on all lanes, and the truth unless it is Unknown.
+  void ask(const Case& c, bool has_check) {
+    const PosedPair pair = largerFirst(c);
+    const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
+    ASSERT_TRUE(of_a && of_b);
+    const detail::UnitMap units = pair.inUnits();
+    Check check{pair};
+    const auto answer = [&] {
+      return has_check ? detail::fewEdgesMeet(*of_a, *of_b, units, {&check, &Check::meet})
+                       : detail::fewEdgesMeet(*of_a, *of_b, units, {});
+    };
+    const detail::Meeting meeting = answer();
+    ASSERT_EQ(onPortableLanes(answer), meeting);
+    doubted += check.asked > 0;
+    unknown += meeting == detail::Meeting::Unknown;
+    if (meeting == detail::Meeting::Unknown) return;
+    const bool truth = meeting == detail::Meeting::Meet;
+    ASSERT_EQ(truth, exact::collide(c.a, c.pose_a, c.b, c.pose_b)) << reproduction(c);
+    ++(truth ? meet : apart);
+    const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
+    crossing += truth && outcome.edge_a != detail::kNoEdge && outcome.edge_b != detail::kNoEdge;
+  }
+};
 
 /// Sixteen edges or fewer, as rings.
 std::vector<int> fewEdges(Random& random) {
@@ -52,7 +83,8 @@ std::vector<int> fewEdges(Random& random) {
 /// Two polygons of few edges are asked by all of them: never wrong, and seldom at a loss.
 TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   Random random(14);
-  int apart = 0, crossing = 0, inside = 0, unknown = 0, several = 0;
+  Answers found;
+  int several = 0;
   const int cases = scaledCount(3000);
   for (int i = 0; i < cases; ++i) {
     const auto polygon = [&](double size) {
@@ -62,55 +94,31 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
         Ring vertices = star(random, n, 0.3 * shrunk, shrunk);
         if (i % 4 == 0)  // crosses itself, winds around some places more than once
           for (Vec2& p : vertices) p = shrunk * Vec2(random.real(-1, 1), random.real(-1, 1));
-        if (random.oneIn(3))  // holes, parts
-          for (Vec2& p : vertices) p += Vec2(shrunk, 0);
-        if (random.coin()) vertices = reversed(vertices);
-        rings.push_back(vertices);
+        if (random.oneIn(3)) vertices = shifted(vertices, Vec2(shrunk, 0));  // holes, parts
+        rings.push_back(eitherWay(random, vertices));
       }
       several += rings.size() > 1;
       return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
     const double size = i % 3 == 0 ? 0.1 : 1, angle = random.real(0, 6.28), away = random.real(0, 1 + size);
     const Pose pose_a = turnedAndMoved(random.real(0, 6.28), 1, 2);
-    const Case c{polygon(1), random.coin() ? pose_a : mirrored(pose_a), polygon(size),
-                 turnedAndMoved(random.real(0, 6.28), 1 + away * std::cos(angle), 2 + away * std::sin(angle))};
-    const PosedPair pair = largerFirst(c);
-    const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
-    ASSERT_TRUE(of_a && of_b);
-    const detail::UnitMap units = pair.inUnits();
-    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units, {}); };
-    const detail::Meeting meeting = meetingAlike(answer, c);
+    const Vec2 at = Vec2(1, 2) + away * direction(angle);
+    found.ask({polygon(1), random.coin() ? pose_a : mirrored(pose_a), polygon(size),
+               turnedAndMoved(random.real(0, 6.28), at.x(), at.y())},
+              false);
     if (HasFailure()) return;
-    if (meeting == detail::Meeting::Unknown) {
-      ++unknown;
-      continue;
-    }
-    const bool truth = meeting == detail::Meeting::Meet;
-    const Outcome outcome = collideByHierarchy(pair, {}, 0, Wanted::Edges);
-    ++(!truth ? apart : outcome.edge_a != detail::kNoEdge && outcome.edge_b != detail::kNoEdge ? crossing : inside);
   }
-  EXPECT_GT(apart, cases / 10);
-  EXPECT_GT(crossing, cases / 10);
-  EXPECT_GT(inside, cases / 50);
-  EXPECT_LT(unknown, cases / 100);
+  EXPECT_GT(found.apart, cases / 10);
+  EXPECT_GT(found.crossing, cases / 10);
+  EXPECT_GT(found.meet - found.crossing, cases / 50);
+  EXPECT_LT(found.unknown, cases / 100);
   EXPECT_GT(several, cases / 3);
 }
 
-/// On a small grid much touches: what floats can't tell the check does, about the right edges, and few pairs need it.
+/// On a small grid much touches: few pairs need the check.
 TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
-  struct Check {
-    const PosedPair& pair;
-    int asked = 0;
-    static bool meet(const void* context, detail::EdgePosition edge_a, detail::EdgePosition edge_b) {
-      Check& check = *static_cast<Check*>(const_cast<void*>(context));
-      ++check.asked;
-      EXPECT_LT(edge_a, check.pair.a.path.size() - 1);
-      EXPECT_LT(edge_b, check.pair.b.path.size() - 1);
-      return edgesMeet(check.pair, edge_a, edge_b);
-    }
-  };
   Random random(16);
-  int apart = 0, meet = 0, unknown = 0, doubted = 0;
+  Answers found;
   const int cases = scaledCount(3000);
   for (int i = 0; i < cases; ++i) {
     const auto ring = [&](int n) {
@@ -127,26 +135,13 @@ TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
       return Polygon(rings, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
     };
     const Pose at = turnedAndMoved(0.3, 1, 2), by = turnedAndMoved(0, random.integer(2, 6), random.integer(-4, 4));
-    const Case c{polygon(), random.coin() ? at : mirrored(at), polygon(), at * by};
-    const PosedPair pair = largerFirst(c);
-    const auto &of_a = hierarchyOf(pair.a).small, &of_b = hierarchyOf(pair.b).small;
-    ASSERT_TRUE(of_a && of_b);
-    Check check{pair};
-    const detail::UnitMap units = pair.inUnits();
-    const auto answer = [&] { return detail::fewEdgesMeet(*of_a, *of_b, units, {&check, &Check::meet}); };
-    const detail::Meeting meeting = meetingAlike(answer, c);
+    found.ask({polygon(), random.coin() ? at : mirrored(at), polygon(), at * by}, true);
     if (HasFailure()) return;
-    doubted += check.asked > 0;
-    if (meeting == detail::Meeting::Unknown) {
-      ++unknown;
-      continue;
-    }
-    ++(meeting == detail::Meeting::Meet ? meet : apart);
   }
-  EXPECT_GT(apart, cases / 10);
-  EXPECT_GT(meet, cases / 10);
-  EXPECT_GT(doubted, cases / 20);
-  EXPECT_LT(unknown, cases / 10);  // more than eight doubtful pairs
+  EXPECT_GT(found.apart, cases / 10);
+  EXPECT_GT(found.meet, cases / 10);
+  EXPECT_GT(found.doubted, cases / 20);
+  EXPECT_LT(found.unknown, cases / 10);  // more than eight doubtful pairs
 }
 
 /// By the definition, also of boxes without ends and of those that are nothing.
@@ -227,7 +222,7 @@ TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   EXPECT_TRUE(isSmallConvex(rectangle(0, 0, 1, 2)));
   EXPECT_FALSE(isSmallConvex(regular(17, 1)));
   Ring pentagram;
-  for (int i = 0; i < 5; ++i) pentagram.push_back(Vec2(std::cos(0.8 * M_PI * i), std::sin(0.8 * M_PI * i)));
+  for (int i = 0; i < 5; ++i) pentagram.push_back(direction(0.8 * M_PI * i));
   EXPECT_FALSE(isSmallConvex(pentagram)) << "turns one way, but twice around";
   EXPECT_FALSE(isSmallConvex({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}}));
   EXPECT_TRUE(isSmallConvex({{0, 0}, {1, 0}, {2, 0}, {2, 2}})) << "a straight vertex: the corners are asked";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is derived from a polygon, and when it is. That nobody sees it in an answer is a law of tests/laws.
+// What is derived from a polygon, and when it is, which nobody sees in an answer: that is a law of tests/laws. And what
+// filters leave to the exact stage.
 #include "stages.h"
 
 #include <gtest/gtest.h>
@@ -10,11 +11,12 @@
 #include <vector>
 
 #include "hierarchy/hierarchy.h"
+#include "numbers/predicates.h"
+#include "pair/posed_pair.h"
 #include "pair/ring_starts.h"
 #include "polygon/convexity.h"
 #include "random.h"
 #include "shapes.h"
-#include "test_scale.h"
 #include "tricover/tricover.h"
 
 namespace tricover::support {
@@ -105,11 +107,10 @@ void askAll(const Polygon& a, const Polygon& b, const Pose& pose_b) {
   for (int i = 0; i < 3; ++i) collide(a, kIdentity, b, pose_b, cache);
   distance(a, kIdentity, b, pose_b);
   crossings(a, kIdentity, b, pose_b);
+  ContactOptions options;
   for (const ContactDetail detail : {ContactDetail::Points, ContactDetail::LocalDepth, ContactDetail::GlobalDepth})
     for (const double margin : {0.0, 0.1}) {
-      ContactOptions options;
-      options.margin = margin;
-      options.detail = detail;
+      options.margin = margin, options.detail = detail;
       contacts(a, kIdentity, b, pose_b, options);
     }
   penetration(a, kIdentity, b, pose_b);
@@ -137,23 +138,59 @@ TEST(Stages, NothingIsBuiltAfterPrepare) {
     islands.push_back(star(random, 9, 0.2, 0.4, {i % 3 - 1, i / 3 - 1}));
     meeting.push_back(star(random, 9, 0.6, 0.9, {i % 3 - 1, i / 3 - 1}));
   }
-  const std::vector<Polygon> polygons = {Polygon({regular(8, 1)}),
-                                         Polygon({regular(100, 1)}),
-                                         Polygon({{{-1, -1}, {0, -1}, {1, -1}, {1, 1}, {-1, 1}}}),
-                                         Polygon({star(random, 7, 0.5, 1)}),
-                                         Polygon({star(random, 200, 0.5, 1)}),
-                                         Polygon({regular(20, 1), regular(10, 0.5)}),
-                                         Polygon(islands),
-                                         Polygon(meeting),
-                                         segment({-1, 0}, {1, 0.5}),
-                                         point({0.1, 0})};
-  for (const Polygon& polygon : polygons) prepare(polygon);
+  std::vector<Polygon> polygons = {segment({-1, 0}, {1, 0.5}), point({0.1, 0})};
+  for (const std::vector<Ring>& rings :
+       std::initializer_list<std::vector<Ring>>{{regular(8, 1)},
+                                                {regular(100, 1)},
+                                                {{{-1, -1}, {0, -1}, {1, -1}, {1, 1}, {-1, 1}}},
+                                                {star(random, 7, 0.5, 1)},
+                                                {star(random, 200, 0.5, 1)},
+                                                {regular(20, 1), regular(10, 0.5)},
+                                                islands,
+                                                meeting})
+    polygons.emplace_back(rings);
   std::vector<std::vector<const void*>> derived;  // of each
-  for (const Polygon& polygon : polygons) derived.push_back(derivedFrom(polygon));
+  for (const Polygon& polygon : polygons) prepare(polygon), derived.push_back(derivedFrom(polygon));
   for (const Polygon& a : polygons)
     for (const Polygon& b : polygons)
       for (const double x : {0.0, 0.3, 0.9, 1.8, 3.0}) askAll(a, b, turnedAndMoved(random.real(0, 6), x, 0.1));
   for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(derivedFrom(polygons[i]), derived[i]) << i;
+}
+
+/// Each end of either edge, alone, at exactly the margin: the exact stage decides.
+TEST(EdgesWithin, HoldsEveryEndAtExactlyTheMargin) {
+  const Polygon a({{{0, 0}, {8, 0}, {4, -9}}}), down({{{4, 30}, {4, 5}, {30, 30}}}), up({{{4, 5}, {4, 30}, {30, 30}}});
+  const auto within = [&](const Polygon& p, const Polygon& q, double reach) {
+    const detail::PosedPair pair(p.data(), kIdentity, q.data(), kIdentity);
+    const std::uint64_t before = detail::exactCalls();
+    const bool result = detail::edgesWithin(pair, 0, 0, reach, 0);
+    EXPECT_GT(detail::exactCalls(), before);
+    return result;
+  };
+  for (const Polygon& b : {down, up}) {
+    EXPECT_TRUE(within(a, b, 5));
+    EXPECT_TRUE(within(b, a, 5));
+    EXPECT_FALSE(within(a, b, std::nextafter(5.0, 0.0)));
+    EXPECT_FALSE(within(b, a, std::nextafter(5.0, 0.0)));
+  }
+}
+
+TEST(Stages, TheFilterAnswersWhatIsApartOrCrossingAndTheExactStageWhatTouches) {
+  Random random(6);
+  const Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  int hits = 0;
+  const std::uint64_t before = detail::exactCalls();
+  for (int i = 0; i < 4000; ++i) {
+    const Pose pose_a = randomPose(random, 1), pose_b = mirrored(randomPose(random, 1));
+    hits += collide(square, pose_a, square, pose_b);
+  }
+  EXPECT_LE(detail::exactCalls() - before, 4u) << "random poses are not the exact stage's business";
+  EXPECT_GT(hits, 1200);
+  EXPECT_LT(hits, 3600);
+  const std::uint64_t touching = detail::exactCalls();
+  EXPECT_TRUE(collide(square, kIdentity, square, turnedAndMoved(0, 1, 0)));
+  EXPECT_GT(detail::exactCalls(), touching) << "a touch can't be a filter's answer";
+  EXPECT_FALSE(collide(square, kIdentity, square, turnedAndMoved(0, std::nextafter(1.0, 2.0), 0)));
 }
 
 }  // namespace

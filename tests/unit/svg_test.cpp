@@ -48,20 +48,32 @@ bool wellFormed(const std::string& text) {
   return open.empty() && count(text, "&") == entities;
 }
 
-TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
-  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)}), peg({rectangle(0, 0, 2, 2)});
-  const Pose pose_b = turnedAndMoved(0, 7, 3);
-  SvgDrawing drawing;
-  drawing.polygon(frame, Pose::Identity(), "#eee");
-  drawing.polygon(peg, pose_b, "#abc");
-  drawing.covering(frame, Pose::Identity());
-  drawing.influenceAreas(frame, Pose::Identity(), 0.5);
-  drawing.hits(frame, Pose::Identity(), peg, pose_b);
-  drawing.polyline({{1, 1}, {2, 9}, {9, 9}}, "blue");
-  drawing.text({5, 5}, "a < b & \"c\"");
+/// What a drawing of this is: well formed, of numbers that are finite.
+template <typename Draw>
+std::string drawn(const Draw& draw, int width = 800) {
+  SvgDrawing drawing(width);
+  draw(drawing);
   const std::string svg = drawing.str();
-
   EXPECT_TRUE(wellFormed(svg)) << svg;
+  EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0) << svg;
+  return svg;
+}
+
+const Pose kHome = Pose::Identity();
+const Polygon kUnit({rectangle(0, 0, 1, 1)}), kFrame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)});
+
+TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
+  const Polygon peg({rectangle(0, 0, 2, 2)});
+  const Pose pose_b = turnedAndMoved(0, 7, 3);
+  const std::string svg = drawn([&](SvgDrawing& drawing) {
+    drawing.polygon(kFrame, kHome, "#eee");
+    drawing.polygon(peg, pose_b, "#abc");
+    drawing.covering(kFrame, kHome);
+    drawing.influenceAreas(kFrame, kHome, 0.5);
+    drawing.hits(kFrame, kHome, peg, pose_b);
+    drawing.polyline({{1, 1}, {2, 9}, {9, 9}}, "blue");
+    drawing.text({5, 5}, "a < b & \"c\"");
+  });
   EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
   EXPECT_EQ(count(svg, "<path "), 2);
   EXPECT_EQ(count(svg, "Z"), 3) << "one closed outline a ring";
@@ -69,56 +81,30 @@ TEST(Svg, DrawsEveryRingTriangleAreaAndHit) {
   // The peg lies across the hole's right edge: two of its edges cross it.
   EXPECT_EQ(count(svg, "<polyline "), 1 + 2 + 1);
   EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
-  EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
 TEST(Svg, FillsByThePolygonsRule) {
   for (const FillRule rule : {FillRule::EvenOdd, FillRule::NonZero}) {
-    SvgDrawing drawing;
-    drawing.polygon(Polygon({rectangle(0, 0, 1, 1)}, rule), Pose::Identity(), "none");
-    EXPECT_EQ(count(drawing.str(), "fill-rule=\"evenodd\""), rule == FillRule::EvenOdd ? 1 : 0);
-    EXPECT_EQ(count(drawing.str(), "fill-rule=\"nonzero\""), rule == FillRule::EvenOdd ? 0 : 1);
+    const std::string svg = drawn([&](SvgDrawing& d) { d.polygon(Polygon(kUnit.rings(), rule), kHome, "none"); });
+    EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), rule == FillRule::EvenOdd ? 1 : 0);
+    EXPECT_EQ(count(svg, "fill-rule=\"nonzero\""), rule == FillRule::EvenOdd ? 0 : 1);
   }
 }
 
-TEST(Svg, HitsHoldCollinearEdgesThatOverlap) {
+/// Also of collinear edges that overlap, and of hits that are alone.
+TEST(Svg, HitsHoldWhatTouches) {
   const Polygon block({rectangle(0, 0, 4, 4)}), upon({rectangle(1, 4, 2, 5)}), beside({rectangle(4, 4, 5, 5)});
-  const auto hits = [&](const Polygon& b, double lift) {
-    SvgDrawing drawing;
-    drawing.polygon(block, Pose::Identity(), "none");
-    drawing.hits(block, Pose::Identity(), b, turnedAndMoved(0, 0, lift));
-    return count(drawing.str(), "<polyline ");
+  const auto hits = [&](const Polygon& b, const Vec2& at, bool is_alone = false) {
+    const auto draw = [&](SvgDrawing& drawing) {
+      if (!is_alone) drawing.polygon(block, kHome, "none");
+      drawing.hits(block, kHome, b, turnedAndMoved(0, at.x(), at.y()));
+    };
+    return count(drawn(draw), "<polyline ");
   };
-  EXPECT_EQ(hits(upon, 0), 1 + 3);
-  EXPECT_EQ(hits(beside, 0), 2 + 2);
-  EXPECT_EQ(hits(upon, 1e-12), 0);
-}
-
-TEST(Svg, FitsHitsThatAreAlone) {
-  const Polygon block({rectangle(0, 0, 4, 4)});
-  SvgDrawing drawing;
-  drawing.hits(block, Pose::Identity(), block, turnedAndMoved(0, 4, 0));
-  EXPECT_EQ(count(drawing.str(), "<polyline "), 6);
-  EXPECT_EQ(count(drawing.str(), "inf") + count(drawing.str(), "nan"), 0);
-}
-
-TEST(Svg, FitsWhatIsDrawn) {
-  SvgDrawing drawing(400);
-  drawing.polygon(Polygon({rectangle(-1, -2, 3, 4)}), turnedAndMoved(0, 100, 50), "none");
-  const std::string svg = drawing.str();
-  const std::string before_box = "viewBox=\"";
-  ASSERT_EQ(count(svg, before_box), 1);
-  std::istringstream box(svg.substr(svg.find(before_box) + before_box.size()));
-  double x, y, width, height;
-  ASSERT_TRUE(box >> x >> y >> width >> height);
-  // SVG's y axis points down.
-  EXPECT_LE(x, 99);
-  EXPECT_GE(x + width, 103);
-  EXPECT_LE(y, -54);
-  EXPECT_GE(y + height, -48);
-  EXPECT_LE(width, 6);
-  EXPECT_LE(height, 8);
-  EXPECT_NE(svg.find("width=\"400\""), std::string::npos);
+  EXPECT_EQ(hits(upon, {0, 0}), 1 + 3);
+  EXPECT_EQ(hits(beside, {0, 0}), 2 + 2);
+  EXPECT_EQ(hits(upon, {0, 1e-12}), 0);
+  EXPECT_EQ(hits(block, {4, 0}, true), 6);
 }
 
 /// The values of an attribute, one for each element that begins like `element`.
@@ -130,6 +116,36 @@ std::vector<std::string> attributes(const std::string& svg, const std::string& e
     values.push_back(svg.substr(begin, svg.find('"', begin) - begin));
   }
   return values;
+}
+
+/// The box that a drawing shows: left, top, width, height.
+std::vector<double> viewBox(const std::string& svg) {
+  std::istringstream in(attributes(svg, "<svg ", "viewBox").at(0));
+  return {std::istream_iterator<double>(in), {}};
+}
+
+/// The picture's size in pixels.
+Vec2 pixels(const std::string& svg) {
+  return {std::stod(attributes(svg, "<svg ", "width").at(0)), std::stod(attributes(svg, "<svg ", "height").at(0))};
+}
+
+/// Whether a drawing shows these corners of a box.
+void expectShows(const std::string& svg, const Vec2& low, const Vec2& high) {
+  const std::vector<double> box = viewBox(svg);
+  ASSERT_EQ(box.size(), 4u);
+  EXPECT_LE(box[0], low.x());
+  EXPECT_GE(box[0] + box[2], high.x());
+  EXPECT_LE(box[1], -high.y());  // SVG's y axis points down
+  EXPECT_GE(box[1] + box[3], -low.y());
+}
+
+TEST(Svg, FitsWhatIsDrawn) {
+  const Polygon block({rectangle(-1, -2, 3, 4)});
+  const std::string svg = drawn([&](SvgDrawing& d) { d.polygon(block, turnedAndMoved(0, 100, 50), "none"); }, 400);
+  expectShows(svg, {99, 48}, {103, 54});
+  EXPECT_LE(viewBox(svg)[2], 6);
+  EXPECT_LE(viewBox(svg)[3], 8);
+  EXPECT_NE(svg.find("width=\"400\""), std::string::npos);
 }
 
 /// "x,y x,y ...", back in the world.
@@ -171,10 +187,7 @@ TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
 }
 
 TEST(Svg, InnerDiscsLieInTheRegion) {
-  const Polygon frame({rectangle(0, 0, 10, 10), rectangle(2, 2, 8, 8)});
-  SvgDrawing drawing;
-  drawing.innerDiscs(frame, turnedAndMoved(0, 50, 7));
-  const std::string svg = drawing.str();
+  const std::string svg = drawn([](SvgDrawing& drawing) { drawing.innerDiscs(kFrame, turnedAndMoved(0, 50, 7)); });
   const std::vector<std::string> x = attributes(svg, "<circle", "cx"), y = attributes(svg, "<circle", "cy"),
                                  r = attributes(svg, "<circle", "r");
   ASSERT_GT(r.size(), 0u);
@@ -182,7 +195,7 @@ TEST(Svg, InnerDiscsLieInTheRegion) {
     const Vec2 center(std::stod(x[i]) - 50, -std::stod(y[i]) - 7);
     const double radius = std::stod(r[i]);
     EXPECT_GT(radius, 0);
-    EXPECT_EQ(locate(frame, center), Location::Inside);
+    EXPECT_EQ(locate(kFrame, center), Location::Inside);
     const double to_outer = 5 - (center - Vec2(5, 5)).lpNorm<Eigen::Infinity>();
     EXPECT_LE(radius, to_outer + 1e-6);
     const Vec2 beyond_hole = ((center - Vec2(5, 5)).cwiseAbs() - Vec2(3, 3)).cwiseMax(0);
@@ -192,10 +205,8 @@ TEST(Svg, InnerDiscsLieInTheRegion) {
 
 TEST(Svg, NearestPointsAreJoined) {
   const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(5, 1, 6, 2)});
-  SvgDrawing drawing;
-  drawing.nearest(distance(a, Pose::Identity(), b, Pose::Identity()));
-  const std::string svg = drawing.str();
-  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const auto nearest = distance(a, kHome, b, kHome);
+  const std::string svg = drawn([&](SvgDrawing& drawing) { drawing.nearest(nearest); });
   const std::vector<Vec2> line = points(attributes(svg, "<polyline ", "points").at(0));
   ASSERT_EQ(line.size(), 2u);
   EXPECT_EQ(line[0].x(), 2);
@@ -205,12 +216,9 @@ TEST(Svg, NearestPointsAreJoined) {
 
 TEST(Svg, ContactsShowPointNormalAndDepth) {
   const Polygon a({rectangle(0, 0, 4, 4)}), b({rectangle(3, 1, 8, 3)});
-  const std::vector<Contact> found = contacts(a, Pose::Identity(), b, Pose::Identity());
+  const std::vector<Contact> found = contacts(a, kHome, b, kHome);
   ASSERT_EQ(found.size(), 1u);
-  SvgDrawing drawing;
-  drawing.contacts(found);
-  const std::string svg = drawing.str();
-  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const std::string svg = drawn([&](SvgDrawing& drawing) { drawing.contacts(found); });
   const std::vector<Vec2> way = points(attributes(svg, "<polyline ", "points").at(0));
   ASSERT_EQ(way.size(), 2u);
   EXPECT_TRUE((way[1] - way[0]).isApprox(Vec2(1, 0)));
@@ -220,15 +228,11 @@ TEST(Svg, ContactsShowPointNormalAndDepth) {
 }
 
 TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
-  const Polygon a({rectangle(0, 0, 2, 2)}), b({rectangle(0, 0, 1, 1)});
-  const Motion still = Motion::still(Pose::Identity()),
-               falling = Motion::translation(turnedAndMoved(0, 0.5, 10), {0, -16});
-  const auto first = timeOfImpact(a, still, b, falling);
+  const Polygon a({rectangle(0, 0, 2, 2)});
+  const Motion still, falling = Motion::translation(turnedAndMoved(0, 0.5, 10), {0, -16});
+  const auto first = timeOfImpact(a, still, kUnit, falling);
   ASSERT_TRUE(first.has_value());
-  SvgDrawing drawing;
-  drawing.impact(a, still, b, falling, *first);
-  const std::string svg = drawing.str();
-  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const std::string svg = drawn([&](SvgDrawing& drawing) { drawing.impact(a, still, kUnit, falling, *first); });
   EXPECT_EQ(count(svg, "<path "), 5) << "each polygon twice, and an arrow";
   const std::string landed = attributes(svg, "<path ", "d").at(3);  // "Mx,yL..."
   const std::vector<Vec2> corner = points(landed.substr(1, landed.find('L') - 1));
@@ -236,41 +240,29 @@ TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
   EXPECT_NE(attributes(svg, "<path ", "transform").back().find("rotate(-90)"), std::string::npos) << svg;
 }
 
-/// The box that a drawing shows: left, top, width, height.
-std::vector<double> viewBox(const std::string& svg) {
-  std::istringstream in(attributes(svg, "<svg ", "viewBox").at(0));
-  return {std::istream_iterator<double>(in), {}};
-}
-
 TEST(Svg, ARoundRobotIsSeen) {
-  SvgDrawing drawing;
-  drawing.polygon(point({0, 0}), turnedAndMoved(0, 3, 4), "#16a34a", "#333", 0.5);
-  const std::string svg = drawing.str();
-  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const auto robot = [](const char* fill, const char* stroke) {
+    return drawn([&](SvgDrawing& drawing) {
+      drawing.polygon(point({0, 0}), turnedAndMoved(0, 3, 4), fill, stroke, 0.5);
+    });
+  };
+  const std::string svg = robot("#16a34a", "#333");
   ASSERT_EQ(count(svg, "<path "), 2);
   EXPECT_EQ(attributes(svg, "<path ", "stroke-width").at(0), "1") << "the disc's diameter";
   EXPECT_EQ(attributes(svg, "<path ", "stroke").at(0), "#16a34a");
   EXPECT_EQ(attributes(svg, "<path ", "stroke-linecap").at(0), "round");
-  const std::vector<double> box = viewBox(svg);
-  ASSERT_EQ(box.size(), 4u);
-  EXPECT_LE(box[0], 2.5);
-  EXPECT_GE(box[0] + box[2], 3.5);
-  EXPECT_LE(box[1], -4.5);
-  EXPECT_GE(box[1] + box[3], -3.5);
-  SvgDrawing hollow;
-  hollow.polygon(point({0, 0}), turnedAndMoved(0, 0, 0), "none", "#123456", 0.5);
-  EXPECT_EQ(attributes(hollow.str(), "<path ", "stroke").back(), "#123456");
+  expectShows(svg, {2.5, 3.5}, {3.5, 4.5});
+  EXPECT_EQ(attributes(robot("none", "#123456"), "<path ", "stroke").back(), "#123456");
 }
 
 TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
   const Polygon frame({rectangle(0, 0, 10, 10), rectangle(4, 4, 6, 6)});
-  SvgDrawing hollow, filled;
-  hollow.polygon(frame, turnedAndMoved(0, 20, 0), "none", "#123456", 0.5);
-  filled.polygon(frame, turnedAndMoved(0, 20, 0), "#eee", "#123456", 0.5);
-  const std::string svg = hollow.str();
-  EXPECT_TRUE(wellFormed(svg)) << svg;
+  const auto picture = [&](const char* fill) {
+    return drawn([&](SvgDrawing& drawing) { drawing.polygon(frame, turnedAndMoved(0, 20, 0), fill, "#123456", 0.5); });
+  };
+  const std::string svg = picture("none");
   ASSERT_EQ(count(svg, "<mask "), 1);
-  EXPECT_EQ(count(filled.str(), "mask"), 0);
+  EXPECT_EQ(count(picture("#eee"), "mask"), 0);
   // The mask shows its box, the region and its margin, without the region.
   EXPECT_EQ(attributes(svg, "<mask ", "x").at(0) + " " + attributes(svg, "<mask ", "y").at(0), "19.5 -10.5");
   EXPECT_EQ(attributes(svg, "<mask ", "width").at(0) + " " + attributes(svg, "<mask ", "height").at(0), "11 11");
@@ -280,26 +272,13 @@ TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
   EXPECT_EQ(attributes(svg, "<path ", "mask").at(1), "url(#" + attributes(svg, "<mask ", "id").at(0) + ")");
 }
 
-/// The picture's size in pixels.
-Vec2 pixels(const std::string& svg) {
-  return {std::stod(attributes(svg, "<svg ", "width").at(0)), std::stod(attributes(svg, "<svg ", "height").at(0))};
-}
-
 TEST(Svg, ALonePointHasRoom) {
-  for (const Vec2& at : {Vec2(0, 0), Vec2(3, -4), Vec2(-2e15, 1)}) {
-    SvgDrawing words, dot;
-    words.text(at, "here");
-    dot.polygon(point(at), Pose::Identity(), "#123");
-    for (const std::string& svg : {words.str(), dot.str()}) {
-      EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0) << svg;
+  for (const Vec2& at : {Vec2(0, 0), Vec2(3, -4), Vec2(-2e15, 1)})
+    for (const std::string& svg : {drawn([&](SvgDrawing& drawing) { drawing.text(at, "here"); }),
+                                   drawn([&](SvgDrawing& drawing) { drawing.polygon(point(at), kHome, "#123"); })}) {
       EXPECT_EQ(pixels(svg), Vec2(800, 800));
-      const std::vector<double> box = viewBox(svg);
-      EXPECT_LT(box[0], at.x());
-      EXPECT_GT(box[0] + box[2], at.x());
-      EXPECT_LT(box[1], -at.y());
-      EXPECT_GT(box[1] + box[3], -at.y());
+      expectShows(svg, {nudged(at.x(), -1), nudged(at.y(), -1)}, {nudged(at.x(), 1), nudged(at.y(), 1)});
     }
-  }
 }
 
 TEST(Svg, APolylineWithoutPointsIsNothing) {
@@ -314,9 +293,8 @@ TEST(Svg, APolylineWithoutPointsIsNothing) {
 
 TEST(Svg, NeitherSideIsTooLong) {
   const auto picture = [](double width, double height) {
-    SvgDrawing drawing(400);
-    drawing.polygon(Polygon({rectangle(0, 0, width, height)}), Pose::Identity(), "none");
-    return drawing.str();
+    const Polygon box({rectangle(0, 0, width, height)});
+    return drawn([&](SvgDrawing& drawing) { drawing.polygon(box, kHome, "none"); }, 400);
   };
   for (const double length : {1.0, 1.5, 3.0, 1e3, 1e9}) {
     const std::string tall = picture(1, length), wide = picture(length, 1);
@@ -336,16 +314,14 @@ TEST(Svg, NeitherSideIsTooLong) {
 
 TEST(Svg, ASceneIsItsBodiesWithTheirMargins) {
   Scene scene;
-  BodyOptions grown;
-  grown.margin = 0.25;
-  scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 0, 0));
+  scene.add(kUnit, turnedAndMoved(0, 0, 0));
   const Scene::Body gone = scene.add(Polygon({rectangle(0, 0, 9, 9)}), turnedAndMoved(0, 50, 0));
-  scene.add(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0.5, 3, 0), grown);
+  scene.add(kUnit, turnedAndMoved(0.5, 3, 0), {0.25});
   scene.remove(gone);
   SvgDrawing drawing, by_hand;
   drawing.scene(scene, "#abc", "#def");
-  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0, 0, 0), "#abc", "#def");
-  by_hand.polygon(Polygon({rectangle(0, 0, 1, 1)}), turnedAndMoved(0.5, 3, 0), "#abc", "#def", 0.25);
+  by_hand.polygon(kUnit, turnedAndMoved(0, 0, 0), "#abc", "#def");
+  by_hand.polygon(kUnit, turnedAndMoved(0.5, 3, 0), "#abc", "#def", 0.25);
   EXPECT_EQ(drawing.str(), by_hand.str());
   SvgDrawing empty;
   empty.scene(Scene());
@@ -353,29 +329,28 @@ TEST(Svg, ASceneIsItsBodiesWithTheirMargins) {
 }
 
 TEST(Svg, AnImpactAloneIsAnArrowInTheCallersColour) {
-  SvgDrawing drawing;
-  drawing.impact({0.5, Vec2(1, 2), Vec2(0, 1), 0, 0}, "#0000ff");
-  drawing.polyline({{0, 0}, {1, 1}}, "#333");
-  EXPECT_EQ(attributes(drawing.str(), "<path ", "stroke"), std::vector<std::string>{"#0000ff"});
-  EXPECT_EQ(attributes(drawing.str(), "<circle ", "fill"), std::vector<std::string>{"#0000ff"});
+  const std::string svg = drawn([](SvgDrawing& drawing) {
+    drawing.impact({0.5, Vec2(1, 2), Vec2(0, 1), 0, 0}, "#0000ff");
+    drawing.polyline({{0, 0}, {1, 1}}, "#333");
+  });
+  EXPECT_EQ(attributes(svg, "<path ", "stroke"), std::vector<std::string>{"#0000ff"});
+  EXPECT_EQ(attributes(svg, "<circle ", "fill"), std::vector<std::string>{"#0000ff"});
 }
 
 TEST(Svg, RefusesWhatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  const Polygon square({rectangle(0, 0, 1, 1)});
-  Pose far = Pose::Identity();
-  far.translation().x() = infinity;
+  const Pose far = turnedAndMoved(0, infinity, 0);
   SvgDrawing drawing;
-  drawing.polygon(square, Pose::Identity(), "none");
+  drawing.polygon(kUnit, kHome, "none");
   const std::string before = drawing.str();
-  EXPECT_THROW(drawing.polygon(square, far, "none"), std::invalid_argument);
-  EXPECT_THROW(drawing.covering(square, far), std::invalid_argument);
-  EXPECT_THROW(drawing.influenceAreas(square, far, 1), std::invalid_argument);
-  EXPECT_THROW(drawing.boxes(square, far, 0), std::invalid_argument);
-  EXPECT_THROW(drawing.innerDiscs(square, far), std::invalid_argument);
-  EXPECT_THROW(drawing.hits(square, far, square, far), std::invalid_argument);
+  EXPECT_THROW(drawing.polygon(kUnit, far, "none"), std::invalid_argument);
+  EXPECT_THROW(drawing.covering(kUnit, far), std::invalid_argument);
+  EXPECT_THROW(drawing.influenceAreas(kUnit, far, 1), std::invalid_argument);
+  EXPECT_THROW(drawing.boxes(kUnit, far, 0), std::invalid_argument);
+  EXPECT_THROW(drawing.innerDiscs(kUnit, far), std::invalid_argument);
+  EXPECT_THROW(drawing.hits(kUnit, far, kUnit, far), std::invalid_argument);
   for (const double margin : {-1.0, nan, infinity})
-    EXPECT_THROW(drawing.polygon(square, Pose::Identity(), "none", "#333", margin), std::invalid_argument);
+    EXPECT_THROW(drawing.polygon(kUnit, kHome, "none", "#333", margin), std::invalid_argument);
   EXPECT_THROW(drawing.polyline({{0, nan}}, "#333"), std::invalid_argument);
   EXPECT_THROW(drawing.text({infinity, 0}, "far"), std::invalid_argument);
   EXPECT_THROW(drawing.nearest({1, {nan, 0}, {0, 0}, 0, 0}), std::invalid_argument);
@@ -391,15 +366,16 @@ struct German : std::numpunct<char> {
 };
 
 TEST(Svg, IsTheSameInEveryLocale) {
-  const auto draw = [] {
-    SvgDrawing drawing;
-    drawing.polygon(Polygon({rectangle(-1234.5, 0.25, 12345678, 9)}), turnedAndMoved(0.1, 0, 0), "none");
+  const Polygon large({rectangle(-1234.5, 0.25, 12345678, 9)});
+  const auto draw = [&](SvgDrawing& drawing) {
+    drawing.polygon(large, turnedAndMoved(0.1, 0, 0), "none");
     drawing.text({0.5, 1000}, "1.5");
-    return drawing.str();
   };
-  const std::string classic = draw();
+  const std::string classic = drawn(draw);
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new German));
-  const std::string german = draw();
+  SvgDrawing drawing;
+  draw(drawing);
+  const std::string german = drawing.str();
   std::locale::global(before);
   EXPECT_EQ(german, classic);
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that share polygons: the first use (which builds what is built lazily) happens in all of them at once.
+// Threads that share polygons: the first use (which builds what is built lazily) happens in all of them at once. And a
+// thread whose stack is small.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <functional>
-#include <memory>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -13,15 +16,25 @@
 #include "exact_reference.h"
 #include "families.h"
 #include "random.h"
+#include "refusal.h"
 #include "shapes.h"
+#include "small_stack.h"
 #include "stages.h"
 #include "strategies.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
+#include "tricover/conflicts.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
+#include "tricover/penetration.h"
+#include "tricover/ray.h"
 #include "tricover/scene.h"
+#include "tricover/time_of_impact.h"
+
+// Linked with sanitizers, whose frames are larger, or not.
+extern "C" void __asan_init() __attribute__((weak));
+extern "C" void __tsan_init() __attribute__((weak));
 
 namespace tricover::support {
 namespace {
@@ -29,6 +42,19 @@ namespace {
 constexpr int kThreads = 8;
 constexpr int kRounds = 60;
 constexpr int kQueries = 40;
+
+/// In as many threads at once, by their number.
+void inThreads(int count, const std::function<void(int)>& task) {
+  std::atomic<bool> go{false};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < count; ++t)
+    threads.emplace_back([&, t] {
+      while (!go) std::this_thread::yield();
+      task(t);
+    });
+  go = true;
+  for (std::thread& thread : threads) thread.join();
+}
 
 struct Query {
   Pose pose_a, pose_b;
@@ -74,16 +100,8 @@ TEST(Threads, ShareFreshPolygons) {
     const UpTo stages(r % 2 == 0 ? detail::Stages::All : detail::Stages::Paid);
     const Round round = makeRound(static_cast<std::uint64_t>(r));
     for (const Query& query : round.queries) hits += query.truth, ++queries;
-    std::atomic<bool> go{false};
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads; ++t) {
-      threads.emplace_back([&, t] {
-        while (!go) std::this_thread::yield();
-        wrong += wrongAnswers(round, t % 4 == 0 ? Strategy::Paper : Strategy::Hierarchy);
-      });
-    }
-    go = true;
-    for (std::thread& thread : threads) thread.join();
+    inThreads(kThreads,
+              [&](int t) { wrong += wrongAnswers(round, t % 4 == 0 ? Strategy::Paper : Strategy::Hierarchy); });
   }
   EXPECT_EQ(wrong, 0);
   EXPECT_GE(hits, 0.2 * queries);
@@ -113,9 +131,7 @@ TEST(Threads, ShareAFreshMap) {
     const Polygon map(rings);
     const std::vector<double> expected = answers(Polygon(rings));
     std::atomic<int> wrong{0};
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads; ++t) threads.emplace_back([&] { wrong += answers(map) != expected; });
-    for (std::thread& thread : threads) thread.join();
+    inThreads(kThreads, [&](int) { wrong += answers(map) != expected; });
     EXPECT_EQ(wrong, 0);
   }
 }
@@ -123,12 +139,9 @@ TEST(Threads, ShareAFreshMap) {
 /// A Parallel.
 void byThreads(std::size_t count, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next{0};
-  std::vector<std::thread> threads;
-  for (int t = 0; t < 3; ++t)
-    threads.emplace_back([&] {
-      for (std::size_t i = next++; i < count; i = next++) task(i);
-    });
-  for (std::thread& thread : threads) thread.join();
+  inThreads(3, [&](int) {
+    for (std::size_t i = next++; i < count; i = next++) task(i);
+  });
 }
 
 /// The same bodies for the same seed, of polygons that nobody has asked anything yet.
@@ -143,41 +156,31 @@ Scene makeScene(std::uint64_t seed) {
   return scene;
 }
 
-struct SceneAnswers {
-  std::vector<bool> collides;
-  std::vector<std::vector<Scene::Body>> colliding;
-  std::vector<double> distances, times;
-  std::vector<Scene::Body> nearest;
-
-  bool operator==(const SceneAnswers& other) const {
-    return collides == other.collides && colliding == other.colliding && distances == other.distances &&
-           times == other.times && nearest == other.nearest;
-  }
-};
-
-SceneAnswers ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, const Parallel& parallel) {
+/// All answers as numbers: of many poses at once, and one by one; impacts' times at the end.
+std::vector<double> ask(const Scene& scene, const Polygon& robot, std::uint64_t seed, const Parallel& parallel) {
   Random random(seed);
-  SceneAnswers answers;
   std::vector<Pose> poses;
   for (int i = 0; i < 1200; ++i) poses.push_back(randomPose(random, 14));
   const std::vector<bool> many = scene.collides(robot, poses, {}, kEveryCategory, parallel);
-  answers.collides.assign(many.begin(), many.end());
+  std::vector<double> answers(many.begin(), many.end());
   std::vector<BodyMotion> motions;
   for (std::size_t i = 0; i < 20; ++i) {
     const Pose& at = poses[i];
-    answers.collides.push_back(scene.collides(robot, at));
-    answers.colliding.push_back(scene.colliding(robot, at));
+    answers.push_back(scene.collides(robot, at));
+    for (const Scene::Body body : scene.colliding(robot, at)) answers.push_back(static_cast<double>(body));
     const auto nearest = scene.nearest(robot, at);
-    answers.nearest.push_back(nearest->body);
-    answers.distances.push_back(nearest->result.distance);
+    answers.push_back(static_cast<double>(nearest->body));
+    answers.push_back(nearest->result.distance);
     Motion motion = Motion::still(at);
     motion.shift = Vec2(random.real(-9, 9), random.real(-9, 9));
     const auto impact = scene.firstImpact(robot, motion);
-    answers.times.push_back(impact ? impact->impact.time : 2);
+    answers.push_back(impact ? impact->impact.time : 2);
     motion.start = scene.pose(static_cast<Scene::Body>(i));
     motions.push_back({static_cast<Scene::Body>(i), motion});
   }
-  for (const PairImpact& impact : scene.impacts(motions, {}, parallel)) answers.times.push_back(impact.impact.time);
+  const std::vector<PairImpact> impacts = scene.impacts(motions, {}, parallel);
+  EXPECT_FALSE(impacts.empty());
+  for (const PairImpact& impact : impacts) answers.push_back(impact.impact.time);
   return answers;
 }
 
@@ -185,18 +188,14 @@ TEST(Threads, AskOneScene) {
   const UpTo stages(detail::Stages::Paid);
   for (std::uint64_t round = 0; round < static_cast<std::uint64_t>(scaledCount(10)); ++round) {
     const auto robot = [] { return Polygon({rectangle(-1, -0.5, 1, 0.5)}); };
-    const SceneAnswers expected = ask(makeScene(round), robot(), round, {});
-    EXPECT_NE(std::count(expected.collides.begin(), expected.collides.end(), true), 0);
-    EXPECT_NE(std::count(expected.collides.begin(), expected.collides.end(), false), 0);
-    EXPECT_GT(expected.times.size(), 20u);
+    const std::vector<double> expected = ask(makeScene(round), robot(), round, {});
+    for (const int answer : {0, 1}) EXPECT_NE(std::count(expected.begin(), expected.begin() + 1200, answer), 0);
     const Scene scene = makeScene(round);
     const Polygon shared = robot();
     std::atomic<int> wrong{0};
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads / 2; ++t)
-      threads.emplace_back(
-          [&, t] { wrong += !(ask(scene, shared, round, t % 2 == 0 ? Parallel(byThreads) : Parallel()) == expected); });
-    for (std::thread& thread : threads) thread.join();
+    inThreads(kThreads / 2, [&](int t) {
+      wrong += !(ask(scene, shared, round, t % 2 == 0 ? Parallel(byThreads) : Parallel()) == expected);
+    });
     EXPECT_EQ(wrong, 0);
   }
 }
@@ -212,12 +211,7 @@ Parallel failing(Random& random) {
 
 template <typename Ask>
 int failuresOf(const Ask& ask) {
-  try {
-    ask();
-    return 0;
-  } catch (const std::runtime_error&) {
-    return 1;
-  }
+  return refusal<std::runtime_error>(ask).empty() ? 0 : 1;
 }
 
 /// All pairs that any frame begins and ends with, of bodies that walk, leap, come and go, whatever failed before.
@@ -268,22 +262,86 @@ TEST(Threads, FindTheCollisionsThatOneFinds) {
 
 TEST(Threads, IdsStayUniqueAndTheLastCopyMayDieAnywhere) {
   std::vector<std::vector<std::uint64_t>> ids(kThreads);
-  std::vector<std::thread> threads;
   const Polygon shared({rectangle(0, 0, 1, 1)});
-  for (std::size_t t = 0; t < kThreads; ++t) {
-    threads.emplace_back([&ids, t, copy = shared] {
-      for (int i = 0; i < 200; ++i) {
-        const Polygon own({rectangle(0, 0, 1, 1)});
-        ids[t].push_back(own.id());
-        EXPECT_TRUE(collide(own, Pose::Identity(), copy, Pose::Identity()));
-      }
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
+  inThreads(kThreads, [&ids, copy = shared](int t) {
+    const Polygon of_thread = copy;  // NOLINT: the copy is the point
+    for (int i = 0; i < 200; ++i) {
+      const Polygon own({rectangle(0, 0, 1, 1)});
+      ids[static_cast<std::size_t>(t)].push_back(own.id());
+      EXPECT_TRUE(collide(own, Pose::Identity(), of_thread, Pose::Identity()));
+    }
+  });
   std::vector<std::uint64_t> all = {shared.id()};
   for (const std::vector<std::uint64_t>& some : ids) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end());
   EXPECT_EQ(std::adjacent_find(all.begin(), all.end()), all.end());
+}
+
+constexpr std::size_t kSmallStack = 64 * 1024, kStackOfSanitizers = 1024 * 1024;
+
+/// A wheel whose every other vertex is nearer to its middle; nothing is derived from it yet.
+Polygon wheel(std::size_t vertices, double inner) {
+  std::vector<Vec2> ring;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(vertices);
+    ring.emplace_back((i % 2 == 0 ? 1 : inner) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return Polygon({ring});
+}
+
+const Pose kHome = Pose::Identity(), kNear = turnedAndMoved(0, 1.5, 0.1), kApart = turnedAndMoved(0.3, 2.5, 0);
+
+constexpr void (*kAllQueries[])(const Polygon& a, const Polygon& b) = {
+    [](const Polygon& a, const Polygon& b) {
+      collide(a, kHome, b, kNear);
+      collide(a, kHome, b, kApart);
+    },
+    [](const Polygon& a, const Polygon& b) {
+      PairCache cache;
+      collide(a, kHome, b, kApart, cache);
+      collide(a, kHome, b, kNear, cache, {0.1, 0});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      distance(a, kHome, b, kNear);
+      distance(a, kHome, b, kApart);
+    },
+    [](const Polygon& a, const Polygon& b) { contacts(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) { crossings(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) { penetration(a, kHome, b, kNear); },
+    [](const Polygon& a, const Polygon& b) {
+      timeOfImpact(a, Motion::still(kHome), b, Motion::translation(kApart, {-1, 0}));
+      timeOfImpact(a, Motion::still(kHome), b, Motion::between(kApart, turnedAndMoved(2, -2, 0.1)));
+    },
+    [](const Polygon& a, const Polygon& b) {
+      conflicts(a, Motion::still(kHome), b, Motion::translation(kApart, {-5, 0}), {0, 1e-3});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      locate(a, {0.1, 0.2});
+      castRay(a, kHome, {-3, 0.1}, {3, 0.2});
+      castRay(b, kHome, {-3, 0.1}, {3, 0.2}, {0.1});
+    },
+    [](const Polygon& a, const Polygon& b) {
+      Scene scene;
+      const Scene::Body first = scene.add(a, kHome);
+      for (int i = 0; i < 40; ++i) scene.add(b, turnedAndMoved(0.1 * i, 2.0 * i, 1.5));
+      scene.collisions();
+      scene.move(first, kNear);
+      scene.collisions();
+      scene.collides(b, kApart);
+      scene.firstImpact(b, Motion::translation(kApart, {-5, 0}));
+    },
+};
+
+TEST(Threads, ASmallStackIsEnoughForEveryQuery) {
+  const bool sanitized = &__asan_init != nullptr || &__tsan_init != nullptr;
+  for (const std::size_t vertices : {8U, 64U, 4096U})
+    for (const double inner : {1.0, 0.9})
+      for (std::size_t query = 0; query < std::size(kAllQueries);
+           ++query) {  // each is the first that the polygons meet
+        const Polygon a = wheel(vertices, inner), b = wheel(vertices, inner);
+        EXPECT_EQ(onStackOf(sanitized ? kStackOfSanitizers : kSmallStack, [&] { kAllQueries[query](a, b); }), "")
+            << vertices << " vertices, query " << query;
+      }
 }
 
 }  // namespace
