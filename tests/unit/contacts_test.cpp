@@ -306,5 +306,17 @@ TEST(Contacts, HaveALocalDepthThatPassesAllOfAComponentWhoseSearchEndsEarly) {
                        FillRule::NonZero));
 }
 
+/// A line without area in b, whose end is as near to a's border as coordinates are rounded.
+TEST(Contacts, OfALineThatEndsBesideABorderAreOneWithWhatIsAroundIt) {
+  const Ring square = rectangle(-3, -3, 3, 3);
+  const Polygon a({square}), b({square, {{-1, 0}, {-1, 0}, {-2, 0}}}, FillRule::NonZero);
+  Pose pose_a = kHere, pose_b = kHere;
+  pose_a.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.5e62aed083bd5p+2,
+      -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.74bba634d4dap+0;
+  pose_b.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.326ddb947507bp+3,
+      -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.e18c2c77771cbp+0;
+  EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
+}
+
 }  // namespace
 }  // namespace tricover::support
