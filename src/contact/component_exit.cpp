@@ -84,7 +84,9 @@ Exit ComponentExits::byOutlines(const OverlapComponent& component) const {
   if (shortest.is_doubtful) {
     pieces = component.pieces;
     pieces.insert(pieces.end(), component.around.begin(), component.around.end());
-    shortest = shortestExit(pieces, a, b, frame_.error());
+    const OutlineExit beyond = shortestExit(pieces, a, b, frame_.error());
+    // That search may end early, with a longer one.
+    if (!(beyond.length > shortest.length + 4 * frame_.error())) shortest = beyond;
   }
   Exit exit{shortest.normal, shortest.length, {kNoEdge, kNoEdge}, shortest.of_a ? 0 : 1};
   if (!(exit.depth < std::numeric_limits<double>::infinity())) return exit;

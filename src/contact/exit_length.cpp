@@ -40,20 +40,36 @@ void ExitLength::see(const Vec2& direction) {
   std::sort(places_.begin(), places_.end());
 }
 
+/// By height at a place. From place to place few change their order.
+void ExitLength::sortActive(double place) {
+  std::size_t moves = 0;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    Seen* const seen = active_[i];
+    seen->height = seen->heightAt(place);
+    std::size_t k = i;
+    for (; k > 0 && active_[k - 1]->height > seen->height; --k) active_[k] = active_[k - 1];
+    active_[k] = seen;
+    moves += i - k;
+  }
+  spend(kStepsToLook * active_.size() + moves);
+}
+
 /// On all lines between two places: no edge begins or ends there.
 void ExitLength::look(double from, double to, Result& result) {
   const double middle = 0.5 * from + 0.5 * to, same = 4 * error_;
-  for (Seen* seen : active_) seen->height = seen->heightAt(middle);
-  for (const Seen* seen : active_) {
+  sortActive(middle);
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    const Seen* seen = active_[i];
     if (!seen->isPiece(from, to, thin_ / 2)) continue;
     const double rounding = same * (1 + std::abs(seen->slope));
-    const Seen *top = nullptr, *bottom = nullptr;
-    double top_height = kInfinity, bottom_height = -kInfinity;
-    for (const Seen* edge : active_) {
-      const double at = edge->height;
-      if (edge->is_exit && at < top_height && at >= seen->height - rounding) top = edge, top_height = at;
-      if (edge->is_entry && at > bottom_height && at <= seen->height + rounding) bottom = edge, bottom_height = at;
-    }
+    std::size_t above = i, below = i + 1;
+    while (above > 0 && active_[above - 1]->height >= seen->height - rounding) --above;
+    while (above < active_.size() && !active_[above]->is_exit) ++above;
+    while (below < active_.size() && active_[below]->height <= seen->height + rounding) ++below;
+    while (below > 0 && !active_[below - 1]->is_entry) --below;
+    const Seen *const top = above < active_.size() ? active_[above] : nullptr, *const bottom = below > 0
+                                                                                                   ? active_[below - 1]
+                                                                                                   : nullptr;
     const Seen* const ends[2] = {top, bottom};
     for (const double place : {from, to}) {
       const double length =
@@ -73,21 +89,36 @@ void ExitLength::look(double from, double to, Result& result) {
       result.place = place;
       result.is_top_corner = endsThere(top) && bottom != nullptr;
       const auto isBeside = [&](const Seen* edge) { return edge != nullptr && edge->isPiece(from, to, thin_ / 2); };
-      const double height = isBeside(top) && isBeside(bottom) ? 0.5 * top_height + 0.5 * bottom_height : seen->height;
+      const double height = isBeside(top) && isBeside(bottom) ? 0.5 * top->height + 0.5 * bottom->height : seen->height;
       result.inside = Vec2(middle, height);
     }
   }
 }
 
 ExitLength::Result ExitLength::atMost(const Vec2& direction) const {
+  const Vec2 aside(-direction.y(), direction.x());
   Result result;
   double top = -kInfinity, bottom = kInfinity;
+  bool a_goes_on = false, b_goes_on = false;
   for (const OutlinePiece& piece : pieces_) {
-    const double v = direction.dot(piece.edge.v), w = direction.dot(piece.edge.w);
-    if (piece.side == 0 && std::max(v, w) > top) top = std::max(v, w), result.top = &piece;
-    if (piece.side == 1 && std::min(v, w) < bottom) bottom = std::min(v, w), result.bottom = &piece;
+    const Vec2 way = piece.way();
+    const double turn = aside.dot(way);
+    if (!(std::abs(turn) > error_ && piece.on.high > piece.on.low)) continue;
+    const bool ends_above = !piece.isInside(-turn), ends_below = !piece.isInside(turn), is_of_a = piece.side == 0;
+    a_goes_on = a_goes_on || (ends_above && !is_of_a);
+    b_goes_on = b_goes_on || (ends_below && is_of_a);
+    if (a_goes_on && b_goes_on) break;
+    if (!(is_of_a ? ends_above && !a_goes_on : ends_below && !b_goes_on)) continue;
+    const double start = direction.dot(piece.edge.v), rise = direction.dot(way);
+    const double from = start + piece.on.low * rise, to = start + piece.on.high * rise;
+    if (is_of_a && std::max(from, to) > top) top = std::max(from, to), result.top = &piece;
+    if (!is_of_a && std::min(from, to) < bottom) bottom = std::min(from, to), result.bottom = &piece;
   }
-  if (result.top != nullptr && result.bottom != nullptr) result.length = top - bottom;
+  // No wider than rounding.
+  if (result.top == nullptr && result.bottom == nullptr && !a_goes_on && !b_goes_on) return result;
+  if (a_goes_on || result.top == nullptr) top = direction.dot(a_.centre) + a_.radius, result.top = nullptr;
+  if (b_goes_on || result.bottom == nullptr) bottom = direction.dot(b_.centre) - b_.radius, result.bottom = nullptr;
+  result.length = top - bottom;
   return result;
 }
 
@@ -115,12 +146,15 @@ void ExitLength::spend(std::size_t steps) {
 }
 
 ExitLength::Result ExitLength::along(const Vec2& direction, double enough) {
-  Result result;
-  result.length = kInfinity;
+  const auto unknown = [] {
+    Result none;
+    none.length = kInfinity;
+    return none;
+  };
   spend(kStepsToSee * pieces_.size());
-  if (is_spent_) return result;
+  if (is_spent_) return unknown();
+  Result result;
   see(direction);
-  result.length = -kInfinity;
   active_.clear();
   auto next = order_.begin();
   auto place = places_.begin();
@@ -133,11 +167,10 @@ ExitLength::Result ExitLength::along(const Vec2& direction, double enough) {
     while (place != places_.end() && !(*place > from + thin_)) ++place;
     if (place == places_.end()) break;
     const double to = next != order_.end() ? std::min(*place, next->first) : *place;
-    spend(active_.size() * active_.size());
     look(from, to, result);
     from = to;
   }
-  if (is_spent_) result.length = kInfinity;
+  if (is_spent_) return unknown();
   result.inside = result.inside.x() * Vec2(-direction.y(), direction.x()) + result.inside.y() * direction;
   return result;
 }

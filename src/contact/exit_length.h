@@ -65,7 +65,8 @@ class ExitLength {
   bool isSpent() const { return is_spent_; }
   /// May end early, with a length that is more than `enough`. The length is infinite once they are spent.
   Result along(const Vec2& direction, double enough);
-  /// At least that length, in O(n): between the ends of all edges. Its place isn't known.
+  /// At least that length, in O(n): between the ends of all pieces. Where the component ends above at an edge of b, a
+  /// goes on, and its disc's end counts; below at an edge of a, b's. Its place isn't known.
   Result atMost(const Vec2& direction) const;
   /// At most that length, but for rounding, in O(n): on the line through a point of the component. And between the ends
   /// that are known there.
@@ -95,9 +96,10 @@ class ExitLength {
   };
   void see(const Vec2& direction);
   void spend(std::size_t steps);
+  void sortActive(double place);
   void look(double from, double to, Result& result);
 
-  static constexpr std::size_t kFewSteps = 4096, kStepsAPiece = 24, kStepsToSee = 16;
+  static constexpr std::size_t kFewSteps = 1792, kStepsAPiece = 28, kStepsToSee = 16, kStepsToLook = 6;
 
   const std::vector<OutlinePiece>& pieces_;
   const Disc a_, b_;
@@ -106,7 +108,7 @@ class ExitLength {
   std::vector<Seen> seen_;
   std::vector<std::pair<double, std::size_t>> order_;  ///< of those, by their low places
   std::vector<double> places_;                         ///< where edges end, or pieces begin or end within them
-  std::vector<Seen*> active_;
+  std::vector<Seen*> active_;                          ///< of those, the lowest first
   double highest_ = 0, lowest_ = 0;
   std::size_t steps_left_;
   bool is_spent_ = false;

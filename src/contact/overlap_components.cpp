@@ -45,8 +45,8 @@ class Grouping : OverlapArcs {
     for (std::size_t k = 0; k < crossings_.size(); ++k) offer({k, NodePoint::kCrossing, k});
     for (const Arc& arc : arcs_) forEachVertex(arc, [&](EdgePosition v) { offer({arc.node, arc.side, v}); });
     for (const Leftmost& best : leftmost) {
-      if (!best.is_known || !overlapsLeftOf(best.point, best.at)) continue;
-      const std::ptrdiff_t node = leftOf(best.at);
+      if (!best.is_known) continue;
+      const std::ptrdiff_t node = overlapsLeftOf(best.point, best.at) ? leftOf(best.at) : besideOf(best.point, best.at);
       if (node >= 0) sets_.join(best.point.node, static_cast<std::size_t>(node));
     }
   }
@@ -93,6 +93,22 @@ class Grouping : OverlapArcs {
         });
       if (!(p.x() - hit.x > length)) return hit.node;
     }
+  }
+
+  /// The node of the other polygon's boundary that is no farther from a vertex than rounding; -1 if there is none.
+  std::ptrdiff_t besideOf(const NodePoint& point, const Vec2& p) const {
+    if (point.side == NodePoint::kCrossing) return -1;
+    const int other = 1 - point.side;
+    const double error = 4 * frame_.error();
+    std::ptrdiff_t node = -1;
+    forEachEdgeOnRay(pair_, frame_, other, p, Vec2(-1, 0), error, [&](EdgePosition edge) {
+      const auto [v, w] = ends(other, edge);
+      const Vec2 way = w - v;
+      const double t = way.isZero(0) ? 0 : std::clamp(way.dot(p - v) / way.squaredNorm(), 0.0, 1.0);
+      if (node < 0 && (v + t * way - p).norm() <= error) node = nodeAt(other, edge, t);
+      return error;
+    });
+    return node;
   }
 
   struct Hit {

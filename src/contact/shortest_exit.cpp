@@ -70,10 +70,12 @@ class ExitSearch {
     const bool is_small = pieces_.size() <= kMostPiecesOfCorners;
     if (is_small && thinnest < (best_.is_across ? 0.5 : 0.9) * best_.length) tryPairs();
     const bool has_ends = best_.found.top != nullptr && best_.found.bottom != nullptr;
-    best_.is_doubtful = is_small && (thinnest < 0.5 * best_.length || !has_ends);
-    if (!is_small && !has_ends) best_ = {};
-    if (!(best_.length < kInfinity))
+    const bool is_doubtful = is_small && (thinnest < 0.5 * best_.length || !has_ends);
+    if (!has_ends) {
+      if (!towards_b_.isZero(0)) normals_.push_back(towards_b_.stableNormalized());
       for (const Vec2& normal : normals_) offer(normal, lengths_.atMost(normal));
+    }
+    best_.is_doubtful = is_doubtful;
     return best_;
   }
 

@@ -2,6 +2,7 @@
 // contacts(): one for each connected part of the overlap, by hand.
 #include <utility>
 
+#include "contact_laws.h"
 #include "contacts_by_hand.h"
 #include "exact_reference.h"
 #include "random.h"
@@ -258,6 +259,64 @@ TEST(Contacts, OfDenormalCoordinates) {
     ++all;
   }
   EXPECT_GE(overlaps, all / 5);
+}
+
+/// Components with so many pieces in each other's way that their search ends early, each with what it may pass.
+TEST(Contacts, HaveALocalDepthThatPassesAllOfAComponentWhoseSearchEndsEarly) {
+  ContactOptions local;
+  local.detail = ContactDetail::LocalDepth;
+  const auto expectPassed = [&](const Polygon& a, const Polygon& b) {
+    const std::vector<Contact> found = contacts(a, kHere, b, kHere, local);
+    ASSERT_FALSE(found.empty());
+    EXPECT_GT(found[0].depth, 0);
+    EXPECT_EQ(wrongLocalDepths({a, kHere, b, kHere}, found), "");
+  };
+  // An edge of a's that bounds the component lies on one of b's.
+  expectPassed(Polygon({{{6, 1}, {6, 3}, {5, 3}},
+                        {{6, 2}, {6, 3}, {10, 3}},
+                        {{8, 4}, {6, 1}, {8, 1}},
+                        {{3, 5}, {10, 4}, {4, 4}, {4, 10}, {5, 1}, {3, 1}}},
+                       FillRule::NonZero),
+               Polygon({{{12, 6}, {12, 0}, {0, 0}, {0, 12}, {6, 12}}, {{3, 2}, {3, 8}, {0, 2}}}));
+  // b is almost within a.
+  expectPassed(
+      Polygon({{{8.51, -.69},
+                {7.75, -1.64},
+                {5.75, .48},
+                {6.94, 1.07},
+                {7.37, 1.03},
+                {8.37, .3},
+                {8.38, .27},
+                {8.4, .24},
+                {8.41, .21},
+                {8.44, .15},
+                {8.46, .09}}}),
+      Polygon({{{6.64, .24},  {6.64, .03},  {6.65, -.39}, {6.94, -.67}, {7.12, -.83}, {7.22, -.87}, {7.32, -.9},
+                {7.41, -.88}, {7.88, -.79}, {8.07, -.75}, {8.15, -.65}, {8.23, -.56}, {8.27, -.51}, {8.31, -.47},
+                {8.35, -.42}, {8.39, -.37}, {8.41, -.27}, {8.45, -.11}, {8.48, .06},  {8.44, .15},  {8.39, .24},
+                {8.11, .81},  {7.37, 1},    {7, .79},     {6.78, .67},  {6.76, .64},  {6.74, .61}}}));
+  // Rings across each other, of both.
+  expectPassed(Polygon({{{0, .35}, {.3, -.2}, {-.1, -.35}}, {{-.15, .05}, {.15, .15}, {.2, -.05}}}, FillRule::NonZero),
+               Polygon({{{-.35, -.7}, {.75, .2}, {-.75, .5}}, {{-.2, 0}, {.5, -.05}, {-.15, .15}}}, FillRule::NonZero));
+  // Parts of b that share corners and a line.
+  expectPassed(Polygon({{{-.915, .237}, {-.915, -.351}, {-.356, -.533}}, {{-.47, -.963}, {.53, -.219}, {-.47, -.219}}}),
+               Polygon({{{-.262, -.415}, {-.379, -.415}, {-.379, -.532}, {-.262, -.532}},
+                        {{-.379, -.415}, {-.496, -.415}, {-.379, -.532}},
+                        {{-.262, -.532}, {-.379, -.532}, {-.262, -.648}},
+                        {{-.379, -.532}, {-.46, -.612}, {-.379, -.612}}},
+                       FillRule::NonZero));
+}
+
+/// A line without area in b, whose end is as near to a's border as coordinates are rounded.
+TEST(Contacts, OfALineThatEndsBesideABorderAreOneWithWhatIsAroundIt) {
+  const Ring square = rectangle(-3, -3, 3, 3);
+  const Polygon a({square}), b({square, {{-1, 0}, {-1, 0}, {-2, 0}}}, FillRule::NonZero);
+  Pose pose_a = kHere, pose_b = kHere;
+  pose_a.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.5e62aed083bd5p+2,
+      -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.74bba634d4dap+0;
+  pose_b.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.326ddb947507bp+3,
+      -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.e18c2c77771cbp+0;
+  EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
 }
 
 }  // namespace

@@ -68,4 +68,7 @@ MUTATIONS = [
     ("src/contact/component_contacts.cpp", "pair_.a.edgeName(exit.edges[0])", "(exit.edges[0] == kNoEdge ? -1 : pair_.a.edgeNumber(exit.edges[0]))", "contacts name edges without length"),
     ("src/depth/prepare.cpp", "detail::regionSidesOf(data);", "", "prepare() leaves to a later query what it is for"),
     ("src/penetration/penetration.cpp", "if (off(beside) <= on) return beside;", "", "convex penetration: a corner beside a face that goes on nearly straight"),
+    ("src/contact/exit_length.cpp", "a_goes_on = a_goes_on || (ends_above && !is_of_a);", "", "local depth: a ends with the component where its search ends early"),
+    ("src/contact/exit_length.cpp", "  if (is_spent_) return unknown();\n  result.inside", "  if (is_spent_) result.length = kInfinity;\n  result.inside", "local depth: ends of a search that ended early count"),
+    ("src/contact/overlap_components.cpp", "overlapsLeftOf(best.point, best.at) ? leftOf(best.at) : besideOf(best.point, best.at)", "overlapsLeftOf(best.point, best.at) ? leftOf(best.at) : -1", "components: a line that ends beside a border"),
 ]
