@@ -3,16 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
 
-#include "random.h"
 #include "shapes.h"
 #include "tricover/prepare.h"
 #include "tricover/segment.h"
@@ -281,23 +278,6 @@ TEST(Scene, SharesTheGapOfTwo) {
   scene.add(disc, at(0), {0.5});
   scene.add(disc, at(3.2), {0.5});
   expectEveryFrameOfTwo(scene, {0.05, 0}, {-0.05, 0}, 4);
-}
-
-TEST(Scene, AnswersManyPosesAtOnceAsOneByOne) {
-  Random random(13);
-  Scene scene;
-  for (int i = 0; i < 20; ++i) scene.add(Polygon({star(random, 5 + i, 0.4, 1.2)}), randomPose(random, 9));
-  std::vector<Pose> poses;
-  for (int i = 0; i < 2000; ++i) poses.push_back(randomPose(random, 9));
-  const std::vector<bool> answers = scene.collides(kSquare, poses);
-  const auto backwards = [](std::size_t count, const std::function<void(std::size_t)>& task) {
-    while (count-- > 0) task(count);
-  };
-  EXPECT_EQ(scene.collides(kSquare, poses, {}, kEveryCategory, backwards), answers);
-  for (std::size_t i = 0; i < poses.size(); ++i) ASSERT_EQ(answers[i], scene.collides(kSquare, poses[i]));
-  const auto hits = std::count(answers.begin(), answers.end(), true);
-  EXPECT_GT(hits, 100);
-  EXPECT_LT(hits, 1900);
 }
 
 }  // namespace

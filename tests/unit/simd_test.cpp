@@ -171,10 +171,9 @@ TEST(EightBoxes, MeetABoxAndARay) {
     ASSERT_EQ(onPortableLanes([&] { return detail::boxesOnRay(boxes, ray, most, portable); }), on_ray);
     const double reach = random.real(0, 3);
     double squares[kLanes], portable_squares[kLanes];
-    const unsigned near = detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), squares);
-    ASSERT_EQ(onPortableLanes(
-                  [&] { return detail::boxesNear(boxes, bounds, detail::gapSquareAbove(reach), portable_squares); }),
-              near);
+    const double most_square = detail::gapSquareAbove(reach);
+    const unsigned near = detail::boxesNear(boxes, bounds, most_square, squares);
+    ASSERT_EQ(onPortableLanes([&] { return detail::boxesNear(boxes, bounds, most_square, portable_squares); }), near);
     for (unsigned k = 0; k < kLanes; ++k) {
       const detail::Bounds other = boxes.at(k);
       ASSERT_EQ(bits >> k & 1, other.meets(bounds) ? 1u : 0u);

@@ -162,11 +162,11 @@ std::vector<double> ask(const Scene& scene, const Polygon& robot, std::uint64_t 
   std::vector<Pose> poses;
   for (int i = 0; i < 1200; ++i) poses.push_back(randomPose(random, 14));
   const std::vector<bool> many = scene.collides(robot, poses, {}, kEveryCategory, parallel);
+  for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_EQ(scene.collides(robot, poses[i]), many[i]) << i;
   std::vector<double> answers(many.begin(), many.end());
   std::vector<BodyMotion> motions;
   for (std::size_t i = 0; i < 20; ++i) {
     const Pose& at = poses[i];
-    answers.push_back(scene.collides(robot, at));
     for (const Scene::Body body : scene.colliding(robot, at)) answers.push_back(static_cast<double>(body));
     const auto nearest = scene.nearest(robot, at);
     answers.push_back(static_cast<double>(nearest->body));

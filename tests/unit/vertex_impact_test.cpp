@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <vector>
 
@@ -49,9 +48,8 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     const Polygon a(rings_a), b = is_segment ? segment(Vec2(0, other), Vec2(other, 0)) : Polygon(rings_b);
     const Polygon b_repeated = is_segment ? b : goneRoundOften(rings_b);
     const Motion motion_a = randomMotion(random, a, size), motion_b = randomMotion(random, b, size);
-    ImpactOptions options;
-    options.time_error = std::pow(10, random.integer(-12, -1));
-    options.margin = random.oneIn(3) ? size * random.real(0, 0.5) : 0;
+    const double time_error = std::pow(10, random.integer(-12, -1));
+    const ImpactOptions options{random.oneIn(3) ? size * random.real(0, 0.5) : 0, time_error};
     const std::optional<Impact> impact = timeOfImpact(a, motion_a, b, motion_b, options);
     const std::optional<Impact> truth = timeOfImpact(goneRoundOften(rings_a), motion_a, b_repeated, motion_b, options);
     ASSERT_EQ(impact.has_value(), truth.has_value()) << i;
@@ -66,26 +64,34 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     ++asked;
     if (haveFewVertices(pair)) {
       ++few;
-      const FirstContact found = followVertices(pair, 0, options.time_error);
+      const FirstContact found = followVertices(pair, 0, time_error);
       answered += found.verdict != FirstContact::Verdict::Unknown;
-      EXPECT_LE(found.time, (truth ? truth->time : 1) + options.time_error + 1e-11) << i;
+      EXPECT_LE(found.time, (truth ? truth->time : 1) + time_error + 1e-11) << i;
       EXPECT_NE(found.verdict, truth ? FirstContact::Verdict::Never : FirstContact::Verdict::Touch) << i;
       if (found.verdict == FirstContact::Verdict::Touch) {
-        EXPECT_NEAR(found.time, truth->time, options.time_error + 1e-11) << i;
+        EXPECT_NEAR(found.time, truth->time, time_error + 1e-11) << i;
       }
     }
     ++(impact ? hits : misses);
     if (impact) {
       EXPECT_GT(impact->time, 0) << i;
-      EXPECT_NEAR(impact->time, truth->time, options.time_error + 1e-11) << i;
+      EXPECT_NEAR(impact->time, truth->time, time_error + 1e-11) << i;
     }
   }
-  std::printf("%d pairs, %d apart at the start, %d with few edges, %d answered, %d hits, %d misses\n", count, asked,
-              few, answered, hits, misses);
   EXPECT_GE(few, 0.9 * asked);
   EXPECT_GE(answered, 0.97 * few);
   EXPECT_GE(hits, 0.1 * count);
   EXPECT_GE(misses, 0.2 * count);
+}
+
+/// Of two segments, 0 where they cross.
+double apart(const Vec2& p, const Vec2& q, const Vec2& v, const Vec2& w) {
+  const auto sides = [](const Vec2& s, const Vec2& t, const Vec2& m, const Vec2& n) {
+    return cross(t - s, m - s) * cross(t - s, n - s) < 0;
+  };
+  const auto off = [](const Vec2& m, const Vec2& s, const Vec2& t) { return (nearestOnSegment(m, s, t) - m).norm(); };
+  if (sides(p, q, v, w) && sides(v, w, p, q)) return 0;
+  return std::min({off(p, v, w), off(q, v, w), off(v, p, q), off(w, p, q)});
 }
 
 /// No edge that a point comes within its reach of is left out; where it only must not be met, few others are shown.
@@ -129,15 +135,7 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
       const Vec2 p(ways.x[k], ways.y[k]), q(ways.to_x[k], ways.to_y[k]);
       for (int e = 0; e < edges.count; ++e) {
         const Vec2 &v = begin[static_cast<std::size_t>(e)], &w = end[static_cast<std::size_t>(e)];
-        const auto sides = [](const Vec2& s, const Vec2& t, const Vec2& m, const Vec2& n) {
-          return cross(t - s, m - s) * cross(t - s, n - s) < 0;
-        };
-        const auto apart = [](const Vec2& m, const Vec2& s, const Vec2& t) {
-          return (nearestOnSegment(m, s, t) - m).norm();
-        };
-        const double distance = sides(p, q, v, w) && sides(v, w, p, q)
-                                    ? 0
-                                    : std::min({apart(p, v, w), apart(q, v, w), apart(v, p, q), apart(w, p, q)});
+        const double distance = apart(p, q, v, w);
         const double reach = static_cast<double>(ways.reach[k]);
         const bool is_shown = (near[k] >> e & 1) != 0;
         ASSERT_TRUE(is_shown || distance > reach) << i << " " << k << " " << e;
@@ -149,7 +147,6 @@ TEST(VertexImpact, LooksAtTheEdgesInReach) {
       ASSERT_EQ(near[k] >> edges.count, 0u);
     }
   }
-  std::printf("%d in reach; without one %d shown, %d near\n", reached, shown, met);
   EXPECT_GE(reached, scaledCount(4000));
   EXPECT_GE(met, scaledCount(1000));
   EXPECT_LE(shown, met);
