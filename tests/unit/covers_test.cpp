@@ -83,8 +83,8 @@ TEST(Covers, LargeAndSmall) {
 
 TEST(Covers, RefusesWhatItCannotTell) {
   const Polygon area({rectangle(0, 0, 4, 4)});
-  for (const double margin :
-       {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::nan("")}) {
+  Scene scene;
+  for (const double margin : {-HUGE_VAL, HUGE_VAL, std::nan("")}) {
     EXPECT_THROW(covers(area, area, margin), std::invalid_argument);
     EXPECT_THROW(together({area}, area, margin), std::invalid_argument);
   }
@@ -92,16 +92,13 @@ TEST(Covers, RefusesWhatItCannotTell) {
   scaled.linear() *= 2;
   EXPECT_THROW(tricover::covers(area, scaled, area, kHere), std::invalid_argument);
   EXPECT_THROW(tricover::covers(area, kHere, area, scaled), std::invalid_argument);
-  Scene scene;
   EXPECT_THROW(scene.covers(area, scaled), std::invalid_argument);
   BodyOptions wide;
   wide.margin = 1;
   const BodyHandle body = scene.add(area, kHere, wide);
   EXPECT_THROW(scene.covers(area, kHere), std::invalid_argument);
   EXPECT_FALSE(scene.covers(area, kHere, {}, BodyFilter::allBut(body)));
-  Pose far = kHere;
-  far.translation().x() = 100;
-  EXPECT_FALSE(scene.covers(area, far));
+  EXPECT_FALSE(scene.covers(area, tricover::pose(100, 0)));
 }
 
 /// A border ends where edges cross: its distance is compared exactly, whatever the size.

@@ -174,20 +174,6 @@ TEST(NegativeMargin, WhatStartsDeeper) {
   }
 }
 
-TEST(NegativeMargin, ConflictsAlongTrajectories) {
-  std::vector<TimedPose> waypoints;
-  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), at(-9 + 0.3 * i, 1)});
-  const Trajectory rests({{0, 60, still(0, 0)}}), slides = Trajectory::through(waypoints);
-  EXPECT_FALSE(timeOfImpact(kFloor, rests, kCrate, slides, allowing(1e-6)));
-  EXPECT_TRUE(conflicts(kFloor, rests, kCrate, slides, allowing(1e-6)).empty());
-  // At the wall when its right side is at 1.5: (1 + 9) / 0.3.
-  const auto found = conflicts(kRoom, rests, kCrate, slides, allowing(1e-6, 1e-3));
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].impact.time, 10 / 0.3, 2e-3);
-  EXPECT_EQ(found[0].end, 60);
-  EXPECT_FALSE(found[0].budget_ended);
-}
-
 /// A robot in a yard of which all the outside is forbidden, along one wall to the next.
 TEST(NegativeMargin, InsideOfAComplement) {
   const Polygon outside = box(20, 10).complement();
