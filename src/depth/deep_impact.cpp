@@ -156,7 +156,8 @@ class DeepImpact {
     const Polygon& other = is_all ? of_.a : piece.of_a ? of_.borders_b : of_.borders_a;
     Motion motion = (piece.of_a ? of_.motion_a : of_.motion_b).part(last, 1);
     motion.start.translation() += shift;
-    const double time_error = std::min(0.125 * of_.precision / of_.speed, 1.0);
+    // 0 / 0, of what is at rest and so small that its precision is 0, is no number, and 1 is left.
+    const double time_error = std::min(1.0, 0.125 * of_.precision / of_.speed);
     const std::optional<Impact> touch =
         timeOfImpact(other, (piece.of_a ? of_.motion_b : of_.motion_a).part(last, 1), moved, motion, {0, time_error});
     if (touch && touch->budget_ended) return false;

@@ -307,5 +307,17 @@ TEST(NegativeMarginFaults, AtTheStartRoundingDecidesForTimesOfImpactAsForCollide
   EXPECT_GE(std::min(deep, shallow), scaledCount(2000) / 5);
 }
 
+// At rest the quotient of precision and speed was 0 / 0, which timeOfImpact() refused as its own time error.
+TEST(NegativeMarginFaults, OfBodiesAtRestThatAreAsSmallAsDoublesGo) {
+  for (const double size : {5e-324, 5e-323, 1e-320, 1e-315, 1e-310, 1e-300}) {
+    const double s = 8 * size;
+    const Polygon a({rectangle(-s, -s, s, s)}), b({{{0, 0}, {s, 0}, {s, s}, {s / 2, s / 2}, {0, s}}});
+    const Motion at = Motion::still(turnedAndMoved(0, -2 * s, 0));
+    EXPECT_FALSE(timeOfImpact(a, Motion::still(Pose::Identity()), b, at, {-size, 1e-3})) << size;
+    const Motion through = Motion::translation(turnedAndMoved(0, -2 * s, 0), {3 * s, 0});
+    EXPECT_TRUE(timeOfImpact(a, Motion::still(Pose::Identity()), b, through, {-size, 1e-3})) << size;
+  }
+}
+
 }  // namespace
 }  // namespace tricover::support
