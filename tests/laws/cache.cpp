@@ -265,7 +265,9 @@ std::string wrongPenetrations(Random& random, Tally& tally, PairCache& cache, in
   if (random.oneIn(6)) c.pose_b = throughFloat(c.pose_b);
   if (random.oneIn(8)) c.pose_a.translation() += Vec2(1e6, -1e6);
   const Vec2 along = direction(random.real(0, 6.3));
-  c.pose_b.translation() = c.pose_a.translation() + random.real(0.1, 0.8) * direction(random.real(0, 6.3));
+  const bool is_kept = least_corners == 12;  // as it was drawn then
+  const double apart = !is_kept && random.oneIn(6) ? random.real(1, 2) : random.real(0.1, 0.8);
+  c.pose_b.translation() = c.pose_a.translation() + apart * direction(random.real(0, 6.3));
   const double margin = random.oneIn(6) ? 0.05 : 0;
   const int manner = random.integer(0, 5);
   const double length = std::exp2(random.real(-12, -4));

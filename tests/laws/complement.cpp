@@ -83,7 +83,7 @@ Case plugs(Random& random) {
       plug = plug.translated(-plug.origin()).scaled(0x1p-5).translated(p);
       break;
     }
-    if (random.oneIn(8)) complemented(plug);
+    if (random.oneIn(16)) complemented(plug);
     const double scale = random.oneIn(4) ? std::ldexp(1.0, random.integer(-900, 900)) : 1;
     if (scale != 1) outside = outside.scaled(scale), plug = plug.scaled(scale);
     Pose here = Pose::Identity();
@@ -92,7 +92,7 @@ Case plugs(Random& random) {
     Pose there = here;
     if (random.coin())
       there = here * turnedAndMoved(0, scale * random.integer(-4, 4) / 2.0, scale * random.integer(-4, 4) / 2.0);
-    if (random.oneIn(4)) there = there * turnedAndMoved(random.real(-1, 1) * 1e-3, 0, 0);
+    if (random.oneIn(8)) there = there * turnedAndMoved(random.real(-1, 1) * 1e-3, 0, 0);
     return random.coin() ? Case{outside, here, plug, there} : Case{plug, there, outside, here};
   }
 }
