@@ -197,7 +197,7 @@ Cost costOf(const Shape& shape, const Query& query) {
   std::size_t bytes = 0;
   double taken = 0;
   while (extra.size() < kFewestPairs || (extra.size() < kMostPairs && taken < kNanoseconds)) {
-    Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}, {}};
+    Pair pair{Polygon(shape.fixed, shape.fill), Polygon(shape.moving, shape.fill), shape.margin, {}, {}};
     bool right = true;
     const auto ask = [&] { right = query.ask(pair) == query.answer && right; };
     const std::size_t before = heap_bytes;
