@@ -13,7 +13,7 @@ namespace {
 /// Discs in b, in a's units, smaller by what they are off by. None before they are paid for.
 class InnerPlaces {
  public:
-  InnerPlaces(const PolygonData& b, const UnitMap& at) : error_(at.error) {
+  InnerPlaces(const PolygonData& b, const UnitMap& at) {
     const InnerDiscs* discs = innerDiscsIfPaid(b);
     if (discs == nullptr) return;
     for (; count_ < discs->count; ++count_) {
@@ -34,7 +34,6 @@ class InnerPlaces {
  private:
   Vec2 centers_[kLanes];
   double radii_[kLanes];
-  double error_;
   int count_ = 0;
 };
 
