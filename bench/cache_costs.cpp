@@ -22,7 +22,7 @@ constexpr double kSize = 100, kDepth = 0.1, kBeside = 1;
 constexpr std::size_t kPoses = 200;
 constexpr int kRounds = 7;
 
-/// Of this walk a cache knows no more than so many poses: pairs meet and part.
+/// A cache knows no more than so many poses of this walk: pairs meet and part.
 const char* const kPairsAnew = "steps of 5 %, pairs anew";
 constexpr std::size_t kPosesOfPair = 50;
 

@@ -178,7 +178,8 @@ Result measureDrives(const std::string& map, const Robot& robot, const std::stri
                        kRounds);
 }
 
-/// What is derived from a map, a vertex: by a first distance() the tree and discs, by prepare() the field, too.
+/// The cost, a vertex, of what is derived from a map: a first distance() makes the tree and discs, prepare() the field,
+/// too.
 Result measureStages(const RobotMap& map) {
   const Polygon walls = outline(map.map.grid).value(), small = box(1, 1);
   const auto count = static_cast<double>(walls.vertexCount());

@@ -59,17 +59,6 @@ std::vector<Contact> allContacts(const PosedPair& pair, const ContactOptions& op
   return componentContacts(pair, &axes, options);
 }
 
-/// Makes a certificate of a gap that was found anyway: no search for the longest one.
-void keepGap(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
-             Certificate& certificate, const Recollection& known, double gap) {
-  claim(certificate, a, b);
-  if (certificate.isWorthRenewing(known.known, known.coherent)) {
-    remember(certificate, a, pose_a, b, pose_b, false, gap);
-  } else {
-    rememberPoses(certificate, a, pose_a, b, pose_b);
-  }
-}
-
 std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      double defect, PairCacheContents* cache, const ContactOptions& options) {
   const PosedPair pair(a, pose_a, b, pose_b);
@@ -87,10 +76,12 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
   std::vector<Contact> result = allContacts(pair, options, gap);
   if (const double margin = options.margin; result.empty() && margin > 0)
     if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
-  if (certificate != nullptr && result.empty() && gap > options.margin) {
-    keepGap(a, pose_a, b, pose_b, *certificate, known, gap);
-  } else if (certificate != nullptr && result.empty()) {
-    renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0});
+  if (certificate != nullptr && result.empty()) {
+    // A gap that was found anyway makes a certificate without a search for the longest one.
+    if (!(gap > options.margin))
+      renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0});
+    else if (beginRenewal(*certificate, a, pose_a, b, pose_b, known))
+      remember(*certificate, a, pose_a, b, pose_b, false, gap);
   }
   if (result.size() > 1)
     std::sort(result.begin(), result.end(), [](const Contact& p, const Contact& q) { return p.depth > q.depth; });

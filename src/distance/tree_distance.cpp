@@ -52,7 +52,7 @@ DistanceResult treeDistance(const PosedVertices& pair, DistanceHint* hint, const
     return {std::numeric_limits<double>::infinity(), Vec2::Zero(), Vec2::Zero(), -1, -1};
   const EdgeDistances edges(pair);
   DistanceSearch search(edges, options);
-  // Of what may meet, it would tell in which order pairs are shown, and so which point is named.
+  // The bound tells in which order pairs are shown, and so which point is named where regions meet: not of those.
   if (apart > 0) search.limitTo(in_field.farthest());
   const bool was_tried = hint != nullptr && showHint(*hint, pair, search);
   const double hinted = search.upper();

@@ -11,10 +11,12 @@
 #include <array>
 #include <cstdlib>
 
+#include "polygon/edge_walk.h"
+
 namespace tricover::detail {
 namespace {
 
-/// What a cell is larger by, in sides, where the outline is said to touch it. Vertices and crossings are rounded by far
+/// A cell counts as larger by this, in sides, where the outline touches it. Vertices and crossings are rounded by far
 /// less.
 constexpr double kPadding = 0x1p-16;
 /// A cell that the outline touches, while the field is made.
@@ -75,12 +77,6 @@ struct Grid {
   double inverse_side;
   int columns, rows;
 };
-
-template <typename Visit>
-void forEachEdgeOf(const PolygonData& polygon, Visit visit) {
-  for (std::size_t r = 0; r < polygon.ringCount(); ++r)
-    for (EdgePosition e = polygon.edgeBegin(r); e < polygon.edgeEnd(r); ++e) visit(e);
-}
 
 /// The distances of all cells from marked ones, squared, where each marked cell stands for the nine around it.
 class Distances {
@@ -150,10 +146,11 @@ class Distances {
 InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(polygon.fill.is_complement) {
   low_ = polygon.inUnits(polygon.path[0]);
   Vec2 high = low_, ways(0, 0);
-  forEachEdgeOf(polygon, [&](EdgePosition e) {
+  detail::forEachEdge(polygon, [&](EdgePosition e) {
     const Vec2 v = polygon.inUnits(polygon.path[e]);
     low_ = low_.cwiseMin(v), high = high.cwiseMax(v);
     ways += (polygon.inUnits(polygon.path[e + 1]) - v).cwiseAbs();
+    return true;
   });
   // The cells, the rows, and the tiles of all edges are no more than so many an edge.
   const Vec2 size = high - low_;
@@ -168,12 +165,13 @@ InfluenceField::InfluenceField(const PolygonData& polygon) : is_complement_(poly
   const std::size_t cell_count = grid.at(0, grid.rows);
   cells_.resize(cell_count);
   std::vector<int> work(cell_count);
-  forEachEdgeOf(polygon, [&](EdgePosition e) {
+  detail::forEachEdge(polygon, [&](EdgePosition e) {
     const GridEdge edge = grid.edge(polygon, e);
     grid.count(edge, work);
     grid.forEachTouched(edge, [&](int row, int first, int last) {
       std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(grid.at(first, row)), last - first + 1, kTouched);
     });
+    return true;
   });
   for (int row = 0; row < grid.rows; ++row) {
     int winding = 0;
@@ -199,10 +197,11 @@ void InfluenceField::addEdges(const PolygonData& polygon) {
   const auto tiles = [](double cells) { return (static_cast<int>(cells) - 1) / kTile + 1; };
   const Grid grid{low_, inverse_side_ / kTile, tiles(columns_), tiles(rows_)};
   const auto forEachTile = [&](auto visit) {
-    forEachEdgeOf(polygon, [&](EdgePosition e) {
+    detail::forEachEdge(polygon, [&](EdgePosition e) {
       grid.forEachTouched(grid.edge(polygon, e), [&](int row, int first, int last) {
         for (int column = first; column <= last; ++column) visit(grid.at(column, row), e);
       });
+      return true;
     });
   };
   tile_columns_ = static_cast<std::size_t>(grid.columns);

@@ -17,10 +17,10 @@ namespace tricover::detail {
 /// influence area, kept for all places instead of for one edge.
 class InfluenceField : public Derived::Thing {
  public:
-  /// Of a polygon that fitsUnit() and isn't degenerate. O(cells), which are kCellsOfEdge an edge, kMostCells at most.
+  /// The polygon fitsUnit() and isn't degenerate. O(cells), which are kCellsOfEdge an edge, kMostCells at most.
   explicit InfluenceField(const PolygonData& polygon);
 
-  /// What is known of a place.
+  /// A place beside the outline.
   struct Look {
     double free;  ///< no edge is nearer
     double near;  ///< some edge is no farther
@@ -49,10 +49,9 @@ class InfluenceField : public Derived::Thing {
         if (!visit(tile_edges_[k])) return;
     }
   }
-  /// So many rows such a box has.
+  /// How many rows a box of half such a height has.
   double rowsOf(double half) const { return 2 * half * inverse_side_; }
 
-  std::size_t cellCount() const { return cells_.size(); }
   std::size_t bytes() const {
     return cells_.size() + tile_edges_.size() * sizeof(EdgePosition) + tile_begins_.size() * sizeof(std::uint32_t);
   }

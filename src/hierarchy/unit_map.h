@@ -75,15 +75,20 @@ struct UnitMap {
   double inverse_unit = 1;  ///< a's
 };
 
-/// The map of a pair in order, whose unit of b is at most a's: R by its columns, b's S at c. `center_error` is that of
-/// c in any direction, in a's frame; R and c are those of an inverse that misses the true one by `inverse_defect`, and
-/// R misses keeping lengths by `defect`.
+/// How far off, in a's units, a point of b is that is mapped from S at c. `center_error` is that of c in any direction,
+/// in a's frame; R and c are those of an inverse that misses the true one by `inverse_defect`.
+inline double mapError(const PolygonData& a, Double2 c, double center_error, double inverse_defect) {
+  const Double2 away = absolute(c);
+  return center_error * a.inverse_unit + (kMapRounding * kUnitRoundoff + inverse_defect) * (away[0] + away[1] + 4) +
+         kTiny;
+}
+
+/// The map of a pair in order, whose unit of b is at most a's: R by its columns, b's S at c. Errors are mapError()'s; R
+/// misses keeping lengths by `defect`.
 inline UnitMap unitMapOf(const PolygonData& a, const PolygonData& b, Double2 r0, Double2 r1, Double2 c,
                          double center_error, double inverse_defect, double defect, double scale_defect) {
   assert(b.unit <= a.unit);
-  const Double2 away = absolute(c);
-  const double error =
-      center_error * a.inverse_unit + (kMapRounding * kUnitRoundoff + inverse_defect) * (away[0] + away[1] + 4) + kTiny;
+  const double error = mapError(a, c, center_error, inverse_defect);
   // The largest of polygons are more than their unit: nothing is known of those.
   const bool fits = a.fitsUnit() && b.fitsUnit();
   return {r0[0],

@@ -87,4 +87,12 @@ void rememberPoses(Certificate& cache, const PolygonData& first, const Pose& fir
   cache.uses = 0;
 }
 
+bool beginRenewal(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                  const Pose& second_pose, const Recollection& recollection) {
+  claim(cache, first, second);
+  const bool may_pay = cache.isWorthRenewing(recollection.known, recollection.coherent);
+  if (!may_pay) rememberPoses(cache, first, first_pose, second, second_pose);
+  return may_pay;
+}
+
 }  // namespace tricover::detail

@@ -117,6 +117,10 @@ void remember(Certificate& cache, const PolygonData& first, const Pose& first_po
 void rememberPoses(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                    const Pose& second_pose);
 
+/// Makes the cache this pair's. Returns whether a new certificate may pay; if it may not, the poses are kept.
+bool beginRenewal(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
+                  const Pose& second_pose, const Recollection& recollection);
+
 /// Counts a query during a back-off. The last one keeps its poses.
 inline void countDown(Certificate& cache, const PolygonData& first, const Pose& first_pose, const PolygonData& second,
                       const Pose& second_pose) {

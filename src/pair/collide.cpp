@@ -97,11 +97,7 @@ Outcome findCertificate(const PolygonData& a, const Pose& pose_a, const PolygonD
 std::optional<bool> renewCertificate(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b,
                                      double defect, Certificate& cache, const Recollection& recollection,
                                      const CollideOptions& options) {
-  claim(cache, a, b);
-  if (!cache.isWorthRenewing(recollection.known, recollection.coherent)) {
-    rememberPoses(cache, a, pose_a, b, pose_b);
-    return std::nullopt;
-  }
+  if (!beginRenewal(cache, a, pose_a, b, pose_b, recollection)) return std::nullopt;
   const CertificateWish wish{recollection.lookahead, true, cache.first_edge, cache.second_edge};
   const PosedPair placement(a, pose_a, b, pose_b);
   if (const auto found = certificateOfDiscs(placement, defect, options.margin, wish)) {

@@ -15,15 +15,19 @@
 
 namespace tricover::detail {
 
+/// What a query wants to know beside the answer: nothing, how certain it is, or the edges of a hit. The less, the
+/// shorter the ways to it.
+enum class Wanted { Answer, Clearance, Edges };
+
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are
 /// in a's units: `limit` is that of gaps that matter, `clearance` is that of the answer.
 [[gnu::always_inline]] inline Meeting meetAtOnce(const UnitMap& at, double limit, Wanted wanted, const EdgeTest& test,
-                                                 Outcome& outcome) {
+                                                 double& clearance) {
   const Hierarchy &a = topOf(test.a), &b = topOf(test.b);
   // Nothing of the regions is outside of the boxes around everything, so that no containment is left to ask for.
   const double gap = rootGap(a.region, b.region, at);
   if (gap > limit) {
-    outcome.clearance = gap;
+    clearance = gap;
     return Meeting::Apart;
   }
   const bool are_near = std::abs(at.tx) + std::abs(at.ty) < 4;  // false for NaN
@@ -41,7 +45,7 @@ namespace tricover::detail {
   if (discs_a == nullptr || discs_b == nullptr) return Meeting::Unknown;
   const double depth = innerDepth(*discs_a, *discs_b, at);
   if (!(depth > 0)) return Meeting::Unknown;
-  outcome.clearance = depth;
+  clearance = depth;
   return Meeting::Meet;
 }
 
@@ -56,6 +60,8 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
 /// discs may meet. Inlined, because what discs have computed is in registers.
 [[gnu::always_inline]] inline Outcome collideByHierarchy(const UnitMap& at, const EdgeTest& test, double lookahead,
                                                          Wanted wanted) {
+  if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
+    return collideDegenerate(at, test, lookahead, wanted);
   const double limit = at.reach(test.options.margin) + lookahead * at.inverse_unit;
   Outcome outcome;
   Meeting meeting = Meeting::Unknown;
@@ -64,11 +70,7 @@ Outcome collideDegenerate(const UnitMap& at, const EdgeTest& test, double lookah
   if (isSmallBeside(test.a, test.b) && wanted != Wanted::Edges)
     if (const InfluenceField* field = fieldIfPaid(test.a, kWithoutField); field != nullptr && wanted == Wanted::Answer)
       meeting = meetInField(*field, at, limit, test);
-  if (meeting == Meeting::Unknown) {
-    if (test.b.isDegenerate() && (test.b.isPoint() || test.a.isDegenerate()))
-      return collideDegenerate(at, test, lookahead, wanted);
-    meeting = meetAtOnce(at, limit, wanted, test, outcome);
-  }
+  if (meeting == Meeting::Unknown) meeting = meetAtOnce(at, limit, wanted, test, outcome.clearance);
   if (meeting == Meeting::Unknown) return searchTrees(at, test, lookahead, wanted);
   outcome.collides = meeting == Meeting::Meet;
   outcome.clearance = at.inWorld(outcome.clearance, test.a.unit);

@@ -65,11 +65,9 @@ class BodyInField {
     if (field_ == nullptr) return;
     const InnerDisc disc(b_);
     center_ = disc.center, radius_ = disc.radius;
-    const Double2 at = pair.inUnitsOfA(pair.way(a_.origin, center_)), away = absolute(at);
+    const Double2 at = pair.inUnitsOfA(pair.way(a_.origin, center_));
     look_ = field_->at(at[0], at[1]);
-    // The same errors as UnitMap's.
-    error_ = 1.1 * pair.error() * a_.inverse_unit +
-             (kMapRounding * kUnitRoundoff + 1.1 * defect) * (away[0] + away[1] + 4) + kTiny;
+    error_ = mapError(a_, at, 1.1 * pair.error(), 1.1 * defect);  // as of PosedPair::inUnits()
   }
 
   /// A lower bound of the distance, if it is above the margin; or how far points may move until the regions don't meet,

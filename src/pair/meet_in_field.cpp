@@ -6,6 +6,7 @@
 
 #include "numbers/segment.h"
 #include "pair/containment.h"
+#include "polygon/edge_walk.h"
 
 namespace tricover::detail {
 namespace {
@@ -71,8 +72,7 @@ bool meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox
     if (!box.mayMeet(v, w)) return true;
     is_any_near = true;
     meet = inner.meet(v, w);
-    for (std::size_t ring = 0; ring < b.ringCount() && !meet; ++ring)
-      for (EdgePosition j = b.edgeBegin(ring); j < b.edgeEnd(ring) && !meet; ++j) meet = test(i, j);
+    if (!meet) forEachEdge(b, [&](EdgePosition j) { return !(meet = test(i, j)); });
     return !meet;
   });
   if (meet) return true;

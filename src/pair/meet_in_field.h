@@ -4,7 +4,6 @@
 #include "hierarchy/influence_field.h"
 #include "hierarchy/simd.h"
 #include "pair/edge_test.h"
-#include "pair/outcome.h"
 
 namespace tricover::detail {
 

@@ -5,10 +5,6 @@
 
 namespace tricover::detail {
 
-/// What a query wants to know beside the answer: nothing, how certain it is, or the edges of a hit. The less, the
-/// shorter the ways to it.
-enum class Wanted { Answer, Clearance, Edges };
-
 /// What a query found, in the pair's order; lengths are the world's.
 struct Outcome {
   bool collides = false;

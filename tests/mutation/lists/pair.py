@@ -76,7 +76,7 @@ MUTATIONS = [
     ("src/pair/four_ends.h", "if (p != 0 || q != 0 || v != 0 || w != 0) return true;", "return true;", "repair 6: collinear edges always meet"),
     ("src/pair/four_ends.h", "return between(0, 2, 3) || between(1, 2, 3) || between(2, 0, 1) || between(3, 0, 1);", "return false;", "repair 6: collinear edges never meet"),
     ("src/pair/root_box.h", " - map.rounding * (far[0] + far[1] + 4) - map.error;", ";", "root boxes: no error"),
-    ("src/pair/collide_by_hierarchy.h", "  outcome.clearance = depth;", "  outcome.clearance = 2 * depth;", "inner discs: clearance too large"),
+    ("src/pair/collide_by_hierarchy.h", "  clearance = depth;", "  clearance = 2 * depth;", "inner discs: clearance too large"),
     ("src/pair/posed_pair.h", "1.1 * error(), 1.1 * defect", "0, 1.1 * defect", "place: error of the way"),
     ("src/hierarchy/unit_map.h", "(kMapRounding * kUnitRoundoff + inverse_defect)", "(kMapRounding * kUnitRoundoff)", "place: a pose's inverse isn't its transpose"),
     ("src/pair/posed_pair.cpp", "const bool apart = d - err > reach;", "const bool apart = d > reach;", "margin: no error at the lower bound"),
