@@ -26,10 +26,10 @@ double wayToNextEdge(const PosedPair& pair, const WorldFrame& frame, const Vec2&
       const double over_v = cross(way, v - from), over_w = cross(way, w - from);
       if ((over_v > error && over_w > error) || (over_v < -error && over_w < -error)) return length;
       const double at_v = way.dot(v - from), at_w = way.dot(w - from);
-      // Where the edge runs along the way, that is met at its nearer end; one that the way begins on is none.
+      // Where the edge runs along the way, that is met at its nearer end; one that the way begins on, where it ends.
       const bool across = std::abs(over_v - over_w) > error;
       const double t = across ? std::clamp(over_v / (over_v - over_w), 0.0, 1.0) : at_v < at_w ? 0 : 1;
-      const double at = at_v + t * (at_w - at_v);
+      const double at = across || std::min(at_v, at_w) > error ? at_v + t * (at_w - at_v) : std::max(at_v, at_w);
       if (at > error) length = std::min(length, at);
       return length;
     });

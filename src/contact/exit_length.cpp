@@ -19,12 +19,14 @@ void ExitLength::see(const Vec2& direction) {
   highest_ = direction.dot(a_.centre) + a_.radius;
   lowest_ = direction.dot(b_.centre) - b_.radius;
   for (const OutlinePiece& piece : pieces_) {
-    const double v = aside.dot(piece.edge.v), w = aside.dot(piece.edge.w);
-    const double height_v = direction.dot(piece.edge.v), height_w = direction.dot(piece.edge.w);
+    const Ends known = piece.knownEnds();
+    const double v = aside.dot(known.v), w = aside.dot(known.w);
+    const double height_v = direction.dot(known.v), height_w = direction.dot(known.w);
     if (!(std::abs(w - v) > error_)) continue;
     const bool goes_up = v < w;  // its left is below
     const bool above = goes_up ? piece.right : piece.left, below = goes_up ? piece.left : piece.right;
-    const double from = v + piece.on.low * (w - v), to = v + piece.on.high * (w - v);
+    const double start = aside.dot(piece.edge.v), way = aside.dot(piece.way());
+    const double from = start + piece.on.low * way, to = start + piece.on.high * way;
     const double rise = goes_up ? height_w - height_v : height_v - height_w;
     seen_.push_back({&piece, std::min(v, w), std::max(v, w), goes_up ? height_v : height_w,
                      goes_up ? height_w : height_v, rise / std::abs(w - v), std::min(from, to), std::max(from, to),
@@ -127,7 +129,8 @@ ExitLength::Through ExitLength::throughPoint(const Vec2& point, const Vec2& dire
   const double rounding = 4 * error_;
   double top = kInfinity, bottom = -kInfinity;
   for (const OutlinePiece& piece : pieces_) {
-    const Vec2 from = piece.edge.v - point, to = piece.edge.w - point;
+    const Ends known = piece.knownEnds();
+    const Vec2 from = known.v - point, to = known.w - point;
     const double v = aside.dot(from), w = aside.dot(to);
     if ((v > 0) == (w > 0)) continue;
     const double turn = w - v, height = (direction.dot(from) * w - direction.dot(to) * v) / turn;

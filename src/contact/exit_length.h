@@ -17,19 +17,21 @@ namespace tricover::detail {
 struct OutlinePiece {
   Ends edge;              ///< all of the edge
   Span on;                ///< the piece
+  Span known;             ///< the part of the edge that has its region where `left` and `right` say
   int side;               ///< whose edge it is: 0 is a, 1 is b
   EdgePosition position;  ///< of the edge
   bool left, right;       ///< where the edge's own region is beside it
 
   Vec2 way() const { return edge.w - edge.v; }
   double length() const { return way().norm() * (on.high - on.low); }
+  Ends knownEnds() const { return {edge.v + known.low * way(), edge.w - (1 - known.high) * way()}; }
   /// Whether the region is on the left (turn > 0), or on the right.
   bool isInside(double turn) const { return turn > 0 ? left : right; }
 };
 
 /// How far b must move along a direction until it has left a in one component of the overlap: on each line along the
-/// direction through the component, from where b begins below to where a ends above. Both are sought on all of the
-/// edges whose pieces bound the component. Where none of them is met, the end of the region's disc counts.
+/// direction through the component, from where b begins below to where a ends above. Both are sought on all that is
+/// known of the edges whose pieces bound the component. Where none of them is met, the end of the region's disc counts.
 class ExitLength {
  public:
   /// Around all of a region's vertices.

@@ -122,9 +122,8 @@ class Grouping : OverlapArcs {
     const double t = v.y() != w.y() ? (y - v.y()) / (w.y() - v.y()) : v.x() < w.x() ? 1 : 0;
     const double x = v.x() + t * (w.x() - v.x());
     if (x > right || x < hit.x) return;
-    const std::ptrdiff_t node = nodeAt(side, edge, t);
-    if (x == hit.x && node < 0) return;
-    hit = {x, node};
+    // The ray begins in the overlap, and leaves it by an edge that has one: any other is nearer by rounding alone.
+    if (const std::ptrdiff_t node = nodeAt(side, edge, t); node >= 0) hit = {x, node};
   }
 
   /// A node that the point t of an edge is joined to; -1 if it isn't in the other region.
@@ -162,7 +161,7 @@ class Grouping : OverlapArcs {
   }
 
   /// Of one side's edges, from stop to stop.
-  void addPieces(int side, std::vector<OverlapComponent>& components) const {
+  void addPieces(int side, std::vector<OverlapComponent>& components) {
     const Side& own = sides_[side];
     for (std::size_t r = 0; r < own.polygon.ringCount(); ++r) {
       const Side::RingStops& ring = own.rings[r];
@@ -195,7 +194,7 @@ class Grouping : OverlapArcs {
 
   /// The stretches that edges of both polygons share, with both regions on the same side. A stretch is cut where a
   /// polygon meets itself.
-  void addCommonPieces(std::vector<OverlapComponent>& components) const {
+  void addCommonPieces(std::vector<OverlapComponent>& components) {
     std::vector<double> cuts;
     for (std::size_t k = 0; k < crossings_.size(); ++k) {
       const EdgeCrossing& c = crossings_[k];
@@ -225,8 +224,7 @@ class Grouping : OverlapArcs {
       }
   }
 
-  void addCommonPiece(const EdgeCrossing& c, bool alike, double from, double to,
-                      std::vector<OutlinePiece>& common) const {
+  void addCommonPiece(const EdgeCrossing& c, bool alike, double from, double to, std::vector<OutlinePiece>& common) {
     const auto part = [](const Span& on, double begin, double end) {
       return Span{on.low + begin * (on.high - on.low), on.low + end * (on.high - on.low)};
     };
@@ -237,15 +235,30 @@ class Grouping : OverlapArcs {
       return left_of_a ? pieces[0].left && (alike ? pieces[1].left : pieces[1].right)
                        : pieces[0].right && (alike ? pieces[1].right : pieces[1].left);
     };
-    if (share(true) || share(false)) common.insert(common.end(), {pieces[0], pieces[1]});
+    if (!share(true) && !share(false)) return;
+    for (const OutlinePiece& piece : pieces) addWithEdge(piece, common);
   }
 
   void addPiece(int side, EdgePosition edge, const Span& on, std::size_t component,
-                std::vector<OverlapComponent>& components) const {
+                std::vector<OverlapComponent>& components) {
     if (component == kNone || components[component].crossings.empty()) return;
     OutlinePiece piece;
     if (!makePiece(side, edge, on, piece)) return;
-    (on.high > on.low ? components[component].pieces : components[component].around).push_back(piece);
+    addWithEdge(piece, on.high > on.low ? components[component].pieces : components[component].around);
+  }
+
+  /// A piece, and what is known of the rest of its edge, as pieces without length.
+  void addWithEdge(const OutlinePiece& piece, std::vector<OutlinePiece>& pieces) {
+    const bool is_first =
+        pieces.empty() || pieces.back().side != piece.side || pieces.back().position != piece.position;
+    if (is_first && piece.known.high - piece.known.low < 1) {
+      for (OutlinePiece part : partsOf(piece.side, piece.position)) {
+        if (part.known.low == piece.known.low || (part.left && part.right)) continue;
+        part.on = {part.known.low, part.known.low};
+        pieces.push_back(part);
+      }
+    }
+    pieces.push_back(piece);
   }
 
   /// On which side of an edge its region is, in the world: see RegionSides.
@@ -256,9 +269,8 @@ class Grouping : OverlapArcs {
   }
 
   /// False if it is no longer than rounding.
-  bool makePiece(int side, EdgePosition edge, const Span& on, OutlinePiece& piece) const {
-    const Ends all = ends(side, edge);
-    piece = {all, on, side, edge, false, false};
+  bool makePiece(int side, EdgePosition edge, const Span& on, OutlinePiece& piece) {
+    piece = {ends(side, edge), on, {0, 1}, side, edge, false, false};
     const double length = on.high > 0 ? piece.length() : piece.way().norm();
     if (!(on.high >= on.low && length > 4 * frame_.error())) return false;
     if (const int region = regionSide(side, edge); region != 0) {
@@ -266,11 +278,38 @@ class Grouping : OverlapArcs {
       piece.right = !piece.left;
       return true;
     }
-    const Vec2 way = piece.way(), beside = 8 * frame_.error() * Vec2(-way.y(), way.x()).normalized();
-    const Vec2 at = all.v + somewhere(on) * way;
-    piece.left = holds(side, at + beside);
-    piece.right = holds(side, at - beside);
-    return true;
+    for (const OutlinePiece& part : partsOf(side, edge)) {
+      if (!(somewhere(on) <= part.known.high)) continue;
+      piece = part;
+      piece.on = on;
+      return true;
+    }
+    return false;
+  }
+
+  /// Of a polygon that meets itself: an edge from one such point to the next, where its region may change sides.
+  const std::vector<OutlinePiece>& partsOf(int side, EdgePosition edge) {
+    if (!parts_.empty() && parts_.front().side == side && parts_.front().position == edge) return parts_;
+    parts_.clear();
+    const auto& stops = sides_[side].stops;
+    auto stop = std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < edge; });
+    for (double from = 0; from < 1;) {
+      while (stop != stops.end() && stop->edge == edge && (stop->node < crossings_.size() || !(stop->span.low > from)))
+        ++stop;
+      const double to = stop != stops.end() && stop->edge == edge ? stop->span.low : 1;
+      addPart({ends(side, edge), {from, to}, {from, to}, side, edge, false, false});
+      from = to;
+    }
+    return parts_;
+  }
+
+  void addPart(OutlinePiece part) {
+    if (!(part.length() > 4 * frame_.error())) return;
+    const Vec2 way = part.way(), beside = 8 * frame_.error() * Vec2(-way.y(), way.x()).normalized();
+    const Vec2 at = part.edge.v + somewhere(part.known) * way;
+    part.left = holds(part.side, at + beside);
+    part.right = holds(part.side, at - beside);
+    parts_.push_back(part);
   }
 
   /// How many there are; their nodes know theirs.
@@ -323,6 +362,8 @@ class Grouping : OverlapArcs {
     if (a_right && b_left) component.facing += length * normal;
     if (a_left && b_right) component.facing -= length * normal;
   }
+
+  std::vector<OutlinePiece> parts_;  ///< of the edge that was asked for last
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "exact_reference.h"
 #include "random.h"
 #include "test_scale.h"
+#include "tricover/distance.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -316,6 +317,49 @@ TEST(Contacts, OfALineThatEndsBesideABorderAreOneWithWhatIsAroundIt) {
       -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.74bba634d4dap+0;
   pose_b.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.326ddb947507bp+3,
       -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.e18c2c77771cbp+0;
+  EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
+}
+
+/// A line through a's inside and out of it: a ends at what is outside, not where it goes on within a.
+TEST(Contacts, HaveALocalDepthThatPassesLinesWithinARegion) {
+  const Polygon a({{{2, 2}, {1, 0}, {2, 2}}, {{3, 3}, {3, -1}, {0, 1}}}, FillRule::NonZero),
+      b({{{3, 3}, {-3, 3}, {-3, -3}, {3, -3}},
+         {{3, 3}, {-1, -1}, {1, -3}, {-1, -1}},
+         {{2, 0}, {-1, -3}, {-3, -1}, {-1, -3}}},
+        FillRule::NonZero);
+  ContactOptions local;
+  local.detail = ContactDetail::LocalDepth;
+  for (const double turn : {0.0, 0.5}) {
+    const Pose both = turnedAndMoved(turn, 4, -1);
+    const std::vector<Contact> found = contacts(a, both, b, both, local);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(wrongLocalDepths({a, both, b, both}, found), "");
+    EXPECT_GE(found[0].depth, 3 - 1e-12);
+  }
+}
+
+/// From the deepest point a line of b without area leads towards the middle, and ends before it.
+TEST(Contacts, HaveAPointThatIsNotBeyondTheEndOfALine) {
+  const Polygon a({rectangle(-3, -3, 3, 3), {{2, -2}, {1, -3}, {2, -1}, {1, -3}}}),
+      b({{{-1, 3}, {1, -3}, {3, -1}}, {{-2, -3}, {1, -1}, {-2, -3}, {-1, -2}}});
+  for (const ContactDetail detail : {ContactDetail::LocalDepth, ContactDetail::GlobalDepth}) {
+    ContactOptions options;
+    options.detail = detail;
+    for (const Contact& contact : contacts(a, kHere, b, kHere, options))
+      EXPECT_LT(distance(b, kHere, point(contact.point), kHere).distance, 1e-12);
+  }
+}
+
+/// A ring of b that is one point, as high as the end of a line that is on a's border.
+TEST(Contacts, OfAPointBesideTheEndOfALineOnABorderAreOneWithWhatIsAroundIt) {
+  const Polygon a({{{-3, 3}, {3, 3}, {3, -3}, {-3, -3}}}),
+      b({{{-3, -3}, {-3, 3}, {3, 3}, {3, -3}}, {{1, 1}, {1, 1}, {1, 1}}, {{0, -1}, {0, -1}, {0, 1}}},
+        FillRule::NonZero);
+  Pose pose_a = kHere, pose_b = kHere;
+  pose_a.matrix().topRows<2>() << 0x1.9b195f6e398cdp-1, 0x1.3130e28256cb7p-1, 0x1.36c8e4ab4bcfep+3,
+      -0x1.3130e28256cb7p-1, 0x1.9b195f6e398cdp-1, 0x1.2a1df2c31fddp-1;
+  pose_b.matrix().topRows<2>() << 0x1.9b195f6e398cdp-1, 0x1.3130e28256cb7p-1, 0x1.871c0cecac581p+2,
+      -0x1.3130e28256cb7p-1, 0x1.9b195f6e398cdp-1, 0x1.877ddb6db125ap-1;
   EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
 }
 
