@@ -65,7 +65,7 @@ std::string wrongOn(const Polygon& a, const Path& path_a, const Polygon& b, cons
   same.absent_outside = options.absent_outside;
   const auto impact = timeOfImpact(a, path_a, b, path_b, same);
   if (!impact && found.distance == 0) return "least: nothing, and no impact";
-  if (impact && !impact->budget_ended && found.distance > rounding) return "least: an impact";
+  if (impact && !impact->budget_ended && found.distance != 0) return "least: an impact";
   return {};
 }
 

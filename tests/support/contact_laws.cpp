@@ -24,6 +24,18 @@ Polygon edgeOf(const Polygon& polygon, std::ptrdiff_t edge) {
   return Polygon({{polygon.edgeStart(edge), polygon.edgeEnd(edge), polygon.edgeStart(edge)}});
 }
 
+bool hasLength(const Polygon& polygon, EdgeIndex edge) { return polygon.edgeStart(edge) != polygon.edgeEnd(edge); }
+
+/// The ring that an edge is of.
+bool isRingAPoint(const Polygon& polygon, EdgeIndex edge) {
+  for (const Ring& ring : polygon.rings()) {
+    if (edge < static_cast<EdgeIndex>(ring.size()))
+      return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return p == ring.front(); });
+    edge -= static_cast<EdgeIndex>(ring.size());
+  }
+  return false;
+}
+
 /// By how much more than the depth a way must lead apart.
 double beyond(const Case& c) { return 4 * rounding(c) + 1e-9 * std::min(c.a.radius(), c.b.radius()); }
 
@@ -91,7 +103,9 @@ std::string wrongContacts(Random& random, const Case& c, const std::vector<Conta
 }
 
 std::string wrongEdges(const Case& c, const std::vector<Contact>& found, bool crossed) {
-  const auto isEdge = [](const Polygon& polygon, EdgeIndex edge) { return edge >= 0 && edge < polygon.edgeCount(); };
+  const auto isEdge = [](const Polygon& polygon, EdgeIndex edge) {
+    return edge >= 0 && edge < polygon.edgeCount() && (hasLength(polygon, edge) || isRingAPoint(polygon, edge));
+  };
   for (const Contact& contact : found) {
     const bool of_a = isEdge(c.a, contact.edge_a), of_b = isEdge(c.b, contact.edge_b);
     if (!of_a && !(contact.edge_a == -1 && of_b)) return "edge_a";

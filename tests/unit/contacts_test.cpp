@@ -8,6 +8,7 @@
 #include "random.h"
 #include "test_scale.h"
 #include "tricover/distance.h"
+#include "tricover/penetration.h"
 #include "tricover/segment.h"
 
 namespace tricover::support {
@@ -318,6 +319,17 @@ TEST(Contacts, OfALineThatEndsBesideABorderAreOneWithWhatIsAroundIt) {
   pose_b.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.326ddb947507bp+3,
       -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.e18c2c77771cbp+0;
   EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
+}
+
+/// In a slot that leans: a touch, which no direction frees by a little, is left the way that is the shortest.
+TEST(Contacts, OfAPlugThatFitsLeadTheShortestWayOut) {
+  const Polygon slot({{{0, 0}, {20, 0}, {20, 10}, {14, 10}, {7, 3}, {3, 3}, {10, 10}, {0, 10}}}),
+      plug({{{3, 3}, {7, 3}, {10, 6}, {6, 6}}});
+  const std::vector<Contact> found = contacts(slot, kHere, plug, kHere);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].depth, 0);
+  EXPECT_NEAR(penetration(slot, kHere, plug, kHere)->normal.dot(found[0].normal), 1, 1e-12);
+  EXPECT_NEAR(found[0].normal.y(), -1, 1e-12);
 }
 
 /// A line through a's inside and out of it: a ends at what is outside, not where it goes on within a.
