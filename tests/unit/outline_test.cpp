@@ -97,7 +97,7 @@ TEST(Outline, TakesWhatTheCallerCallsOccupied) {
 
 TEST(Outline, OfRandomGridsIsTheirRegion) {
   support::Random random(2026);
-  const int cases = support::scaledCount(300);
+  const int cases = support::scaledCount(300, 30);
   int rings = 0, holes = 0;
   for (int k = 0; k < cases; ++k) {
     OccupancyGrid grid;

@@ -72,7 +72,7 @@ std::string wrongEdge(const Case& c, const DistanceResult& nearest, const mpq_cl
 TEST(Point, IsAsFarAsTheNearestEdge) {
   int asked = 0, hits = 0;
   for (const Family& family : families())
-    for (int i = 0; i < scaledCount(150); ++i) {
+    for (int i = 0; i < scaledCount(150, 8); ++i) {
       const auto seed = static_cast<std::uint64_t>(i) + 47000000;
       Random random(~seed);
       const Case c = besidePoint(random, family.make(seed));

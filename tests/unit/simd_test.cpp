@@ -85,7 +85,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
   Random random(14);
   Answers found;
   int several = 0;
-  const int cases = scaledCount(3000);
+  const int cases = scaledCount(3000, 300);
   for (int i = 0; i < cases; ++i) {
     const auto polygon = [&](double size) {
       std::vector<Ring> rings;
@@ -119,7 +119,7 @@ TEST(FewEdgesMeet, IsRightWhereItAnswersAndSeldomDoesNot) {
 TEST(FewEdgesMeet, AsksTheCheckWhereFloatsDoubt) {
   Random random(16);
   Answers found;
-  const int cases = scaledCount(3000);
+  const int cases = scaledCount(3000, 300);
   for (int i = 0; i < cases; ++i) {
     const auto ring = [&](int n) {
       Ring vertices;
@@ -157,7 +157,7 @@ TEST(EightBoxes, MeetABoxAndARay) {
     return bounds;
   };
   int met = 0, entered = 0, asked = 0;
-  for (int i = 0; i < scaledCount(500); ++i) {
+  for (int i = 0; i < scaledCount(500, 50); ++i) {
     detail::EightBoxes boxes;
     for (unsigned k = 0; k < kLanes; ++k) boxes.set(k, box());
     const detail::Bounds bounds = box();

@@ -56,7 +56,7 @@ bool expectAllQueriesRight(const Polygon& a, const Pose& pose_a, const Polygon& 
 }
 
 TEST(Spirals, AnswerAsAllPairsDo) {
-  const growth::Input in = growth::coarseSpirals(2 * static_cast<std::size_t>(scaledCount(2500)));
+  const growth::Input in = growth::coarseSpirals(2 * static_cast<std::size_t>(scaledCount(2500, 250)));
   int hits = 0, asked = 0;
   for (const double x : {0.0, 0.7, 1.1})
     for (const double angle : {0.0, 0.001}) {
@@ -82,7 +82,7 @@ TEST(Spirals, AnswerForWhatIsAmongTheirTurns) {
   const Polygon spiral = growth::coarseSpirals(5000).a;
   Random random(32);
   int hits = 0;
-  const int asked = scaledCount(40);
+  const int asked = scaledCount(40, 12);
   for (int i = 0; i < asked; ++i) {
     const Polygon robot({star(random, 12, 0.7, 1.2)});
     const Pose somewhere = turnedAndMoved(random.real(0, 6), random.real(-100, 100), random.real(-100, 100));

@@ -230,7 +230,7 @@ TEST(Threads, FindTheCollisionsThatOneFinds) {
   for (int i = 0; i < kBodies; ++i) add();
   std::size_t pairs = 0;
   int failures = 0;
-  for (int frame = 0; frame < std::max(scaledCount(30), 4); ++frame) {
+  for (int frame = 0; frame < scaledCount(30, 4); ++frame) {
     std::vector<BodyPose> poses;
     for (const Scene::Body body : alone.bodies()) {
       Pose pose = alone.pose(body);
