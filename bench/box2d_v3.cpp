@@ -20,7 +20,7 @@
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::bench {
@@ -265,7 +265,7 @@ void addNearest(const std::string& name, const Polygon& body, double size, std::
   Scene scene;
   scene.add(placements);
   const NearestTree tree(body, poses);
-  const Polygon spot = point({0, 0}), hexagon = regular(6, 1);
+  const Polygon spot = Polygon::point({0, 0}), hexagon = regular(6, 1);
   const b2Polygon hexagon_shape = shapeOf(hexagon);
   const b2Vec2 origin = {0, 0};
   for (const bool is_spot : {true, false}) {

@@ -135,8 +135,8 @@ ValueProblem impactsAt(const KnownScene& scene, bool convex) {
   // Early by no more than timeOfImpact() says: within 1e-13 of these lengths it may report a contact.
   problem.may_round = [=, &scene](std::size_t i, double time) {
     const double lengths = (motions[i].start.translation() - scene.fixed_pose.translation()).norm() +
-                           motions[i].shift.norm() + scene.fixed.origin().norm() + scene.fixed.radius() +
-                           scene.moving.origin().norm() + scene.moving.radius();
+                           motions[i].shift.norm() + scene.fixed.coveringOrigin().norm() + scene.fixed.radius() +
+                           scene.moving.coveringOrigin().norm() + scene.moving.radius();
     return time <= truth[i] &&
            exact::within(exact::distanceSquared(scene.fixed, scene.fixed_pose, scene.moving, motions[i].at(time)),
                          mpq_class(1.01e-13 * lengths));
@@ -152,7 +152,7 @@ ValueProblem penetrationsAt(const KnownScene& scene) {
   for (const KnownPose& known : scene.poses) {
     if (!known.collides) continue;
     Pose pose = known.pose;
-    const Vec2 middle = scene.fixed_pose * scene.fixed.origin() - pose.linear() * scene.moving.origin();
+    const Vec2 middle = scene.fixed_pose * scene.fixed.coveringOrigin() - pose.linear() * scene.moving.coveringOrigin();
     pose.translation() += random.real(0.2, 0.9) * (middle - pose.translation());
     poses.push_back(pose);
     truth.push_back(exactDepth(scene, pose));

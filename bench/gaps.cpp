@@ -49,7 +49,7 @@ struct Row {
 std::vector<Row> impactRows() {
   return {{"a triangle tips about its corner", triangle(), 0, 1.2, 0, 0},
           {"a rod of 22 vertices tips about its end", rod(), 0, 1.2, 0, 0},
-          {"a stadium tips about its end", segment({0, 0}, {0, 1}), 0.1, 1.2, 0, 0},
+          {"a stadium tips about its end", Polygon::segment({0, 0}, {0, 1}), 0.1, 1.2, 0, 0},
           {"a triangle tips and drifts along the floor", triangle(), 0, 1.2, 0.5, 0},
           {"a triangle slides along the floor ever faster", triangle(), 0, 0, 0, 1},
           {"a triangle tips and slides ever faster", triangle(), 0, 1.2, 0, 1},
@@ -81,10 +81,10 @@ Result measured(const char* input, const std::string& query, const std::function
 }  // namespace
 
 std::vector<Result> measureLastingContact() {
-  const Polygon ground = box(20, 1), crate = box(1, 1), robot = box(1, 0.8), square = box(2, 2), low = box(1, 0.6);
+  const Polygon ground = Polygon::box(20, 1), crate = Polygon::box(1, 1), robot = Polygon::box(1, 0.8), square = Polygon::box(2, 2), low = Polygon::box(1, 0.6);
   const Polygon post({{{-0.25, -1}, {0.25, -1}, {0.25, 0}, {-0.25, 0}}}), corner({{{0, 0}, {1, 0.5}, {0.5, 1}}});
-  const Polygon rod = segment({0, 0}, {1, 0});
-  const auto from = [](double x, double y, const Vec2& shift) { return Motion::translation(pose(x, y), shift); };
+  const Polygon rod = Polygon::segment({0, 0}, {1, 0});
+  const auto from = [](double x, double y, const Vec2& shift) { return Motion::translation(poseAt(x, y), shift); };
   const auto turned = [](const Pose& start, const Vec2& by) {
     Motion motion = Motion::still(start);
     motion.start.translation() += start.linear() * by;
@@ -93,8 +93,8 @@ std::vector<Result> measureLastingContact() {
   };
   const Motion still, spline = Motion::spline({{-5, 1}, 0, {6, 0}, 0}, {{5, 1}, 0, {8, 0}, 0});
   std::vector<TimedPose> way;
-  for (int i = 0; i <= 60; ++i) way.push_back({static_cast<double>(i), pose(-9 + 0.3 * i, 1)});
-  Pose stretched = Pose::Identity(), rounded = pose(0, 0, 0.7);
+  for (int i = 0; i <= 60; ++i) way.push_back({static_cast<double>(i), poseAt(-9 + 0.3 * i, 1)});
+  Pose stretched = Pose::Identity(), rounded = poseAt(0, 0, 0.7);
   stretched.linear() *= 1 + 4e-15;
   rounded.linear() = rounded.linear().cast<float>().cast<double>();
   const auto once = [](const Motion& motion) { return Trajectory({{0, 1, motion}}); };
@@ -110,7 +110,7 @@ std::vector<Result> measureLastingContact() {
   };
   const Polygon jaws(
       {{{-1, 0.4375}, {1, 0.4375}, {1, 0.625}, {-1, 0.625}}, {{-1, -0.625}, {1, -0.625}, {1, -0.4375}, {-1, -0.4375}}}),
-      bar = box(40, 1),
+      bar = Polygon::box(40, 1),
       comb({{{-2, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.5}, {0, 0.5}, {0, 1}, {-1, 1}, {-1, 0.5}, {-2, 0.5}}});
   std::vector<Result> results;
   for (const Row& r :

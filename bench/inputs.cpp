@@ -31,7 +31,7 @@ std::vector<Pose> separatedPoses(const Polygon& fixed, const Polygon& moving, do
   std::vector<Pose> poses = posesOf("contact", fixed, moving);
   support::Random random(5);
   for (Pose& pose : poses) {
-    pose.translation() += (random.real(low, high) - 1) * (pose * moving.origin() - fixed.origin());
+    pose.translation() += (random.real(low, high) - 1) * (pose * moving.coveringOrigin() - fixed.coveringOrigin());
   }
   return poses;
 }
@@ -43,8 +43,8 @@ std::vector<Motion> randomMotions(const Polygon& fixed, const Polygon& moving, d
   for (const Pose& near : separatedPoses(fixed, moving, 1.03, 1.5)) {
     Motion motion;
     motion.start = near;
-    motion.pivot = moving.origin();
-    const Vec2 inwards = (fixed.origin() - near * moving.origin()).normalized();
+    motion.pivot = moving.coveringOrigin();
+    const Vec2 inwards = (fixed.coveringOrigin() - near * moving.coveringOrigin()).normalized();
     motion.shift = length * random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1.2, 1.2)) * inwards);
     if (most_angle > 0) motion.angle = random.real(-most_angle, most_angle);
     motions.push_back(motion);

@@ -65,7 +65,7 @@ constexpr Query kAsked[] = {
      [](Scene& map, const Pose& pose) { return map.collides(robot(), pose); }},
     {"locate",
      [](const Polygon& map, const Pose& pose) { return locate(map, pose.translation()) != Location::Outside; },
-     [](Scene& map, const Pose& pose) { return map.collides(point(pose.translation()), kStill); }},
+     [](Scene& map, const Pose& pose) { return map.collides(Polygon::point(pose.translation()), kStill); }},
     {"distance",
      [](const Polygon& map, const Pose& pose) { return distance(map, kStill, robot(), pose).distance == 0; },
      [](Scene& map, const Pose& pose) { return map.nearest(robot(), pose)->result.distance == 0; }},

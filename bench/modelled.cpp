@@ -65,7 +65,7 @@ std::vector<Shape> shapes() {
                  FillRule::EvenOdd, 0};
   };
   const auto soup = [](std::uint64_t seed) { return workloads::makeOverlapping(64, 3, 1, seed).rings(); };
-  const std::vector<Ring> disc = point(Vec2::Zero()).rings();
+  const std::vector<Ring> disc = Polygon::point(Vec2::Zero()).rings();
   return {{"disc", disc, disc, FillRule::EvenOdd, 50}, made("convex, 64", Kind::Slim, 64),
           made("outline, 8", Kind::Contour, 8),        made("outline, 64", Kind::Contour, 64),
           made("outline, 512", Kind::Contour, 512),    {"64 triangles", soup(1), soup(2), FillRule::NonZero, 0}};
@@ -168,7 +168,7 @@ const Query kQueries[] = {
     {"castRay, hits", true, [](Pair& pair) { return askRay(pair, 0); }, false},
     {"locate, outside", false,
      [](Pair& pair) { return locate(pair.fixed, 3 * far(pair).translation()) != Location::Outside; }, false},
-    {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.origin()) != Location::Outside; },
+    {"locate, inside", true, [](Pair& pair) { return locate(pair.fixed, pair.fixed.coveringOrigin()) != Location::Outside; },
      false},
     {"Scene: added, boxes apart", false, askScene<far>},
     {"Scene: added, near", false, askScene<near>},

@@ -102,7 +102,7 @@ struct Robot {
   Robot(const RobotMap& of, double half)
       : grid(of.map.grid),
         walls(outline(grid).value()),
-        shape(box(2 * half, 1.25 * half)),
+        shape(Polygon::box(2 * half, 1.25 * half)),
         cells(grid, 2 * half, 1.25 * half) {
     scene.add(walls, Pose::Identity());
   }
@@ -181,7 +181,7 @@ Result measureDrives(const std::string& map, const Robot& robot, const std::stri
 /// The cost, a vertex, of what is derived from a map: a first distance() makes the tree and discs, prepare() the field,
 /// too.
 Result measureStages(const RobotMap& map) {
-  const Polygon walls = outline(map.map.grid).value(), small = box(1, 1);
+  const Polygon walls = outline(map.map.grid).value(), small = Polygon::box(1, 1);
   const auto count = static_cast<double>(walls.vertexCount());
   Result result{{"field", map.name, "made ready, a vertex", walls.vertexCount(), 0, 1}};
   const auto enter = [&](const char* name, auto makeReady) {

@@ -14,7 +14,7 @@
 #include "random.h"
 #include "rivals/fcl_call.h"
 #include "studies.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover_fcl/tricover_fcl.h"
 #include "workloads.h"
 
@@ -50,7 +50,7 @@ Body polygonBody(std::size_t vertices) {
 }
 
 Body discBody(double radius) {
-  return {"disc", 1, radius, shape(point({0, 0}), radius, radius), {{"FCL", std::make_shared<fcl::Sphered>(radius)}}};
+  return {"disc", 1, radius, shape(Polygon::point({0, 0}), radius, radius), {{"FCL", std::make_shared<fcl::Sphered>(radius)}}};
 }
 
 /// One of FCL's geometries, which is the same in ours and in FCL's pairs.

@@ -89,7 +89,7 @@ auto deepestContact(const KnownScene& scene, double none) {
 /// influence areas, as long as the moving radius".
 auto influenceAreas(const KnownScene& scene) {
   return [&scene, inverse = Pose(scene.fixed_pose.inverse(Eigen::Isometry))](const Pose& pose) {
-    const Vec2 centroid = inverse * (pose * scene.moving.origin());
+    const Vec2 centroid = inverse * (pose * scene.moving.coveringOrigin());
     const auto mask = paper::influenceMask(scene.fixed, centroid, scene.moving.radius());
     return std::any_of(mask.begin(), mask.end(), [](std::uint64_t word) { return word != 0; }) ||
            locate(scene.fixed, centroid) != Location::Outside;
@@ -105,10 +105,10 @@ std::vector<CollisionMethod> collisionMethods(const KnownScene& scene, bool conv
   std::vector<Pose> poses;
   for (const KnownPose& known : scene.poses) poses.push_back(known.pose);
   Methods<Hits> methods(poses);
-  const Vec2 center = scene.fixed_pose * fixed.origin();
+  const Vec2 center = scene.fixed_pose * fixed.coveringOrigin();
   const double reach = fixed.radius() + moving.radius();
   methods.ours("bounding discs", "", kNothing, [=, &moving](const Pose& pose) {
-    return (pose * moving.origin() - center).squaredNorm() <= reach * reach;
+    return (pose * moving.coveringOrigin() - center).squaredNorm() <= reach * reach;
   });
   methods.ours("influence areas", "", kNothing, influenceAreas(scene));
   const auto core = [&scene](double tolerance) {

@@ -115,7 +115,7 @@ Polygon country(const std::string& name) {
   for (const auto& [full_name, polygon] : countries) {
     const std::size_t underscore = full_name.find('_');
     if (underscore != std::string::npos && full_name.substr(underscore + 1) == name)
-      return mapped(polygon, [origin = polygon.origin()](const Vec2& v) -> Vec2 {
+      return mapped(polygon, [origin = polygon.coveringOrigin()](const Vec2& v) -> Vec2 {
         return ((v - origin) / workloads::kGrid).array().round() * workloads::kGrid;
       });
   }
@@ -143,12 +143,12 @@ std::vector<KnownPose> placementsAroundContact(const KnownScene& scene, std::siz
                                                std::uint64_t seed) {
   Random random(seed);
   std::vector<KnownPose> placements;
-  const Vec2 center = scene.fixed_pose * scene.fixed.origin();
+  const Vec2 center = scene.fixed_pose * scene.fixed.coveringOrigin();
   for (std::size_t found = 0, tried = 0; found < contacts; ++tried) {
     if (tried > 20 * contacts) throw std::runtime_error("tradeoff: no contact found for " + scene.name);
     const Vec2 direction = support::direction(randomAngle(random));
     Pose pose = poseAt({0, 0}, randomAngle(random));
-    pose.translation() = center - pose.linear() * scene.moving.origin();
+    pose.translation() = center - pose.linear() * scene.moving.coveringOrigin();
     Pose last;
     if (!findContact(scene, pose, direction, last)) continue;
     ++found;

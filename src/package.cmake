@@ -37,6 +37,8 @@ function(tricover_install_pc template)
   configure_file(${template} ${PROJECT_BINARY_DIR}/${name} @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
+# As a system's folder, as the CMake package does: its headers' warnings are none of ours. (`Requires: eigen3` says -I.)
+get_target_property(TRICOVER_EIGEN_DIR Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 tricover_install_pc(${CMAKE_CURRENT_LIST_DIR}/tricover.pc.in)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -20,7 +20,7 @@ CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["convex"], ["overlay
 # Public headers by the room that defines their functions. All others define none: types, options and results.
 PUBLIC = {
     "numbers": ["motion", "pose"],
-    "polygon": ["outline", "pair_cache", "polygon", "segment"],
+    "polygon": ["outline", "pair_cache", "polygon"],
     "hierarchy": ["locate"],
     "distance": ["distance"],
     "impact": ["ray"],

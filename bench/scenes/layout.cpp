@@ -61,7 +61,7 @@ Polygon makePart(int least, int most, Random& random) {
   refine(ring, static_cast<std::size_t>(random.integer(least, most)), random);
   const Vec2 size(random.real(60, 140), random.real(40, 120));
   for (Vec2& v : ring) v = v.cwiseProduct(size);
-  const Vec2 origin = Polygon({ring}).origin();
+  const Vec2 origin = Polygon({ring}).coveringOrigin();
   for (Vec2& v : ring) v -= origin;
   return Polygon({ring});
 }

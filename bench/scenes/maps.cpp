@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "random.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::bench {
 namespace {
@@ -49,7 +49,7 @@ Placement countriesMap(const Countries& countries, std::size_t obstacles) {
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(obstacles))));
   std::vector<Polygon> outlines;
   for (const auto& country : countries) {
-    const Polygon centred = country.polygon.translated(-country.polygon.origin());
+    const Polygon centred = country.polygon.translated(-country.polygon.coveringOrigin());
     outlines.push_back(centred.scaled(random.real(20, 65) / centred.radius()));
   }
   Placement map;
@@ -62,7 +62,7 @@ Placement countriesMap(const Countries& countries, std::size_t obstacles) {
 
 Placement warehouseMap(std::size_t racks) {
   constexpr double kLength = 100, kDepth = 12, kAisle = 30;
-  const Polygon rack = box(kLength, kDepth);
+  const Polygon rack = Polygon::box(kLength, kDepth);
   Random random(22);
   // Blocks are about as wide as they are high.
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(racks) / 4)));
@@ -123,7 +123,7 @@ std::vector<Ray> raysAround(const Placement& map, const Polygon& robot, std::siz
   std::vector<Ray> rays;
   for (std::size_t place = 0; place < places; ++place) {
     const Pose pose = free.next();
-    const Vec2 from = pose * robot.origin();
+    const Vec2 from = pose * robot.coveringOrigin();
     for (std::size_t i = 0; i < kRaysPerTurn; ++i) {
       const double angle = kTurn * static_cast<double>(i) / static_cast<double>(kRaysPerTurn);
       const Vec2 direction = pose.linear() * Vec2(std::cos(angle), std::sin(angle));

@@ -23,7 +23,7 @@ double byScan(const Placement& placement, const Ray& ray) {
   const Vec2 way = to - from;
   double nearest = kNothing;
   for (const auto& [polygon, pose] : placement) {
-    const Vec2 centre = pose * polygon.origin();
+    const Vec2 centre = pose * polygon.coveringOrigin();
     const double along = std::clamp(way.dot(centre - from) / way.squaredNorm(), 0.0, 1.0);
     const double reach = (1 + 1e-9) * polygon.radius() + 1e-9 * centre.norm();
     if ((from + along * way - centre).squaredNorm() > reach * reach) continue;

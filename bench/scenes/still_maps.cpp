@@ -8,7 +8,7 @@
 #include "rivals/boost.h"
 #include "shapes.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::bench {
 namespace {
@@ -66,7 +66,7 @@ constexpr const char* kFigures[] = {"bytes a body", "made and added", "collides"
 template <class Map>
 std::array<double, 5> costOf(std::size_t bodies, double& answers) {
   constexpr std::size_t kQueries = 20000;
-  const Polygon hexagon({support::regular(6, 1)}), dot = point({0, 0});
+  const Polygon hexagon({support::regular(6, 1)}), dot = Polygon::point({0, 0});
   Places places(bodies, 2);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < kQueries; ++i) poses.push_back(places.next());

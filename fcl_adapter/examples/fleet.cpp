@@ -61,7 +61,7 @@ std::vector<Body> hall() {
                                {6, {{6.2, 2.2}, 1.2 * kQuarter, {-0.3, 0.9}, -0.3}},
                                {12, {{7, 7.2}, kQuarter, {0, 0.4}, 0}}})},
           {"shuttle",
-           tricover::point({0, 0}),
+           tricover::Polygon::point({0, 0}),
            {0.35 + kMargin, 0, 0.4},  // a disc
            Trajectory::spline({{0, {{1, 7}, -kQuarter, {0, -0.8}, 0}},
                                {4, {{1.6, 4.4}, -kQuarter / 2, {0.6, -0.4}, 0.4}},

@@ -20,4 +20,12 @@ namespace tricover {
 /// \snippet locate.cpp locate
 TRICOVER_EXPORT Location locate(const Polygon& polygon, const Vec2& point);
 
+/// Returns where `point`, in the world, lies in the polygon under a pose. Exact: turning the point back by hand would
+/// round it.
+///
+/// \throws std::invalid_argument for a pose that checkPose() refuses, and for a point that is not finite
+///
+/// \snippet locate.cpp locate in the world
+TRICOVER_EXPORT Location locate(const Polygon& polygon, const Pose& pose, const Vec2& point);
+
 }  // namespace tricover

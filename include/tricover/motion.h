@@ -38,6 +38,8 @@ struct TRICOVER_EXPORT Motion {
   static Motion still(const Pose& pose);
   /// Returns a translation without a rotation.
   static Motion translation(const Pose& start, const Vec2& shift);
+  /// Returns a rotation about a fixed point of the world, counter-clockwise for a positive angle.
+  static Motion arc(const Pose& start, const Vec2& centre, double angle);
   /// Returns a motion from pose to pose: a rotation in (-pi, pi], and the pivot on a straight line. at(1) is `end` up
   /// to rounding, and up to how far the two linear parts differ by more than a rotation.
   /// \throws std::invalid_argument for a pose that checkPose() refuses, for two poses of which only one mirrors, and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "tricover/export.h"
@@ -20,8 +22,8 @@ struct OccupancyMap {
 /// Reads a map of ROS's map_server: a YAML file and the PGM image that it names. nav2 and map_saver write the same.
 /// Link tricover::io, which needs yaml-cpp.
 ///
-/// outline() of the grid is a polygon in the grid's own frame: its pose in the world is OccupancyMap::pose. A pose of
-/// your own for the whole map comes before: `world * map.pose`. A map without an occupied cell has no polygon.
+/// outline() of the map is a polygon in the world. outline() of its grid alone is one in the grid's own frame, whose
+/// pose in the world is OccupancyMap::pose.
 ///
 /// The fields are `image` (a path from the YAML file's folder, or an absolute one), `resolution`, `origin` (x, y and
 /// yaw), `negate`, `occupied_thresh` and `free_thresh`. `mode` may be `trinary`, in any case; map_server's modes scale
@@ -38,5 +40,14 @@ struct OccupancyMap {
 ///
 /// \snippet occupancy_grid_io.cpp occupancy map
 TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);
+
+/// Returns the outline() of a map's grid in the world, where the map is: every corner under the map's pose, rounded
+/// there. Nothing if no cell is occupied.
+///
+/// \throws std::invalid_argument as outline() of the grid does, and for a pose that checkPose() refuses
+///
+/// \snippet occupancy_grid_io.cpp occupancy map
+TRICOVER_EXPORT std::optional<Polygon> outline(
+    const OccupancyMap& map, const IsOccupied& is_occupied = [](std::int8_t value) { return value != 0; });
 
 }  // namespace tricover

@@ -27,7 +27,7 @@ struct CoveringTriangle {
   int sign;  ///< The sign of the triangle's area: 1 or -1, and 0 where the edge's line goes through S.
 };
 
-/// The covering: one triangle an edge, in the edges' order, from S, which is Polygon::origin(). O(n), made anew at each
+/// The covering: one triangle an edge, in the edges' order, from S, which is Polygon::coveringOrigin(). O(n), made anew at each
 /// call.
 ///
 /// \snippet paper.cpp covering

@@ -51,6 +51,14 @@ class TRICOVER_EXPORT Polygon {
   /// Makes a polygon from rings in braces, by the same rules.
   explicit Polygon(std::initializer_list<Ring> rings, FillRule fill = FillRule::EvenOdd)
       : Polygon(std::vector<Ring>(rings), fill) {}
+  /// A vertex of one ring in braces: `Polygon({{0, 0}, {1, 0}, {0, 1}})`.
+  struct Vertex {
+    Vertex(double x, double y) : at(x, y) {}
+    Vertex(const Vec2& p) : at(p) {}
+    Vec2 at;
+  };
+  /// Makes a polygon from one ring in braces, by the same rules.
+  explicit Polygon(std::initializer_list<Vertex> ring, FillRule fill = FillRule::EvenOdd);
   /// Makes a polygon from one ring, by the same rules. (A template, so that braces mean rings.)
   template <typename OneRing, std::enable_if_t<std::is_same_v<OneRing, Ring>, int> = 0>
   explicit Polygon(const OneRing& ring, FillRule fill = FillRule::EvenOdd) : Polygon(ring.data(), ring.size(), fill) {}
@@ -59,6 +67,22 @@ class TRICOVER_EXPORT Polygon {
   /// \throws std::length_error as for rings
   /// \snippet polygon.cpp raw
   Polygon(const Vec2* vertices, std::size_t count, FillRule fill = FillRule::EvenOdd);
+
+  /// Returns the rectangle of that width, along x, and height, along y, around the origin of its frame.
+  /// \throws std::invalid_argument for a length that is not finite and positive
+  /// \snippet shapes.cpp box
+  static Polygon box(double width, double height);
+  /// Returns the polygon that is this point and nothing else: one ring of three equal vertices. With a margin of r it
+  /// is an exact closed disc of radius r, in every query that takes a margin. Distances and impacts name its edge 0.
+  /// \throws std::invalid_argument for a coordinate that is not finite
+  /// \snippet shapes.cpp point
+  static Polygon point(const Vec2& p);
+  /// Returns the polygon that is the closed segment from p to q and nothing else: one ring of p, q and q once more.
+  /// With a margin of r it is an exact capsule: every point within r of the segment. Distances and impacts name its
+  /// edge 0, from p to q. If p and q are equal, it is that point.
+  /// \throws std::invalid_argument for a coordinate that is not finite
+  /// \snippet shapes.cpp segment
+  static Polygon segment(const Vec2& p, const Vec2& q);
 
   Polygon(const Polygon& other) noexcept;             ///< Moving copies, too, so that no polygon is without its data.
   Polygon& operator=(const Polygon& other) noexcept;  ///< Copies, too.
@@ -87,9 +111,9 @@ class TRICOVER_EXPORT Polygon {
   Vec2 edgeEnd(EdgeIndex edge) const;
 
   /// S, the covering's origin: a point near the region's centroid, inside the bounding box.
-  const Vec2& origin() const;
+  const Vec2& coveringOrigin() const;
 
-  /// The radius of the bounding disc around origin(): at least the distance to every vertex. It is rounded up, and
+  /// The radius of the bounding disc around coveringOrigin(): at least the distance to every vertex. It is rounded up, and
   /// infinity where it overflows.
   double radius() const;
 

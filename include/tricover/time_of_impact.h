@@ -22,7 +22,7 @@ namespace tricover {
 /// - for either polygon |shift|, |pivot|, and (1 + |angle|) times the largest distance of its points from the pivot,
 ///   where |shift| and |angle| stand for the sums of all their terms' sizes.
 ///
-/// (For a polygon that doesn't turn, read origin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
+/// (For a polygon that doesn't turn, read coveringOrigin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
 /// reported.
 ///
 /// The cost grows with the number of turns that the polygons make near each other. The search has a budget, which grows

@@ -20,7 +20,6 @@
 #include "tricover/prepare.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
 #include "tricover/signed_distance.h"
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"

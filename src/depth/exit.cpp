@@ -73,7 +73,7 @@ void addPlace(Impact& impact, const Polygon& part, const Motion& motion, const s
 
 std::optional<Impact> firstExit(const Polygon& part, const Motion& motion, const std::vector<StillArea>& areas,
                                 double margin) {
-  const Impact at_begin{0, motion.start * part.origin(), Vec2::UnitX(), -1, -1};
+  const Impact at_begin{0, motion.start * part.coveringOrigin(), Vec2::UnitX(), -1, -1};
   if (areas.empty() || !unionCoversBut(pairsOf(part, motion.start, areas), margin)) return at_begin;
   const Vec2 from = areas[0].pose.translation();
   const std::vector<Ring> rings = wallsAround(part, motion.start, areas, from);

@@ -4,6 +4,7 @@
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/inclusion.h"
 #include "numbers/errors.h"
+#include "numbers/rigidity.h"
 
 namespace tricover {
 namespace {
@@ -16,14 +17,25 @@ const detail::Hierarchy* hierarchyInTime(const detail::PolygonData& polygon) {
   return is_due ? &detail::hierarchyOf(polygon) : nullptr;
 }
 
+Location locateIncluded(const detail::PolygonData& polygon, const detail::IncludedPoint& point) {
+  if (detail::outsideBoundingDisc(polygon, point.approx)) return detail::includeFarAway(polygon).location;
+  return detail::locateInDisc(polygon, hierarchyInTime(polygon), point);
+}
+
 }  // namespace
 
 Location locate(const Polygon& polygon, const Vec2& point) {
   detail::requireFinite(point, "point");
-  const detail::PolygonData& data = polygon.data();
-  const detail::IncludedPoint included = detail::IncludedPoint::ofFrame(point);
-  if (detail::outsideBoundingDisc(data, included.approx)) return detail::includeFarAway(data).location;
-  return detail::locateInDisc(data, hierarchyInTime(data), included);
+  return locateIncluded(polygon.data(), detail::IncludedPoint::ofFrame(point));
+}
+
+Location locate(const Polygon& polygon, const Pose& pose, const Vec2& point) {
+  static const Pose kWorld = Pose::Identity();
+  detail::requireRigid(pose, "pose");
+  detail::requireFinite(point, "point");
+  const Vec2 way = point - pose.translation();
+  const detail::ApproxPoint from_pose{way.x(), way.y(), 2 * detail::kUnitRoundoff * way.lpNorm<1>() + detail::kTiny};
+  return locateIncluded(polygon.data(), {&pose, detail::turnedBack(pose, from_pose), {&kWorld, point}});
 }
 
 }  // namespace tricover

@@ -13,7 +13,7 @@
 #include "pair/posed_pair.h"
 #include "polygon/edge_position.h"
 #include "tricover/ray.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover {
 namespace {
@@ -70,7 +70,7 @@ class RoundRay {
   /// Returns parts of the ray, in order and apart. What is between them certainly isn't met, by twice as much as
   /// timeOfImpact() errs by.
   std::vector<Part> partsInReach() const {
-    const Polygon start = point(from_);
+    const Polygon start = Polygon::point(from_);
     const Motion motion = Motion::translation(Pose::Identity(), to_ - from_);
     const detail::MovingPair pair(polygon_.data(), still_, start.data(), motion, margin_);
     const double reach = pair.margin + 8 * pair.error;
@@ -130,7 +130,7 @@ class RoundRay {
 
   std::optional<RayHit> first(const Vec2& from, const Vec2& to) const {
     const auto impact =
-        detail::impactOf(point(from), Motion::translation(Pose::Identity(), to - from), polygon_, still_, {margin_, 0});
+        detail::impactOf(Polygon::point(from), Motion::translation(Pose::Identity(), to - from), polygon_, still_, {margin_, 0});
     if (!impact) return std::nullopt;
     return RayHit{impact->time, (from + impact->time * (to - from)) / scale_, -impact->normal,
                   impact->time > 0 ? impact->edge_b : -1};

@@ -234,9 +234,7 @@ OccupancyMap readOccupancyMap(const std::string& yaml) {
   const auto [x, y, yaw] = fields.triple("origin");
 
   OccupancyMap map;
-  map.pose = Pose::Identity();
-  map.pose.linear() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
-  map.pose.translation() = Vec2(x, y);
+  map.pose = poseAt(x, y, yaw);
   map.grid.resolution = fields.number("resolution");
   if (!(map.grid.resolution > 0))
     fields.refuseValue("resolution", fields.text("resolution"), "is not positive", "write metres a cell");
@@ -252,6 +250,12 @@ OccupancyMap readOccupancyMap(const std::string& yaml) {
       map.grid.cells[row * pgm.width + column] = values[pixels[column]];
   }
   return map;
+}
+
+std::optional<Polygon> outline(const OccupancyMap& map, const IsOccupied& is_occupied) {
+  const std::optional<Polygon> in_grid = outline(map.grid, is_occupied);
+  if (!in_grid) return std::nullopt;
+  return in_grid->transformed(map.pose);
 }
 
 }  // namespace tricover

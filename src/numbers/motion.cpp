@@ -15,6 +15,10 @@ Motion Motion::still(const Pose& pose) { return translation(pose, Vec2::Zero());
 
 Motion Motion::translation(const Pose& start, const Vec2& shift) { return {start, shift}; }
 
+Motion Motion::arc(const Pose& start, const Vec2& centre, double angle) {
+  return {start, Vec2::Zero(), angle, start.inverse(Eigen::Affine) * centre};
+}
+
 Motion Motion::between(const Pose& start, const Pose& end, const Vec2& pivot) {
   return detail::motionBetween(start, "start", end, "end", pivot);
 }

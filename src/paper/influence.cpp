@@ -56,7 +56,7 @@ std::vector<CoveringTriangle> covering(const Polygon& polygon) {
   std::vector<CoveringTriangle> triangles;
   triangles.reserve(polygon.vertexCount());
   for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
-    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.coveringOrigin();
     triangles.push_back({s, v, w, detail::orientation(s, v, w)});
   }
   return triangles;

@@ -18,7 +18,6 @@
 #include "numbers/rigidity.h"
 #include "polygon/convexity.h"
 #include "polygon/polygon_data.h"
-#include "tricover/segment.h"
 
 namespace tricover {
 namespace detail {
@@ -192,8 +191,20 @@ PolygonData::PolygonData(const RingsView& rings_, std::size_t positions, const F
 
 }  // namespace detail
 
+namespace {
+
+Ring ringOf(std::initializer_list<Polygon::Vertex> vertices) {
+  Ring ring;
+  for (const Polygon::Vertex& vertex : vertices) ring.push_back(vertex.at);
+  return ring;
+}
+
+}  // namespace
+
 Polygon::Polygon(const std::vector<Ring>& rings, FillRule fill)
     : data_(detail::PolygonData::make(detail::RingsView(rings), {fill})) {}
+
+Polygon::Polygon(std::initializer_list<Vertex> ring, FillRule fill) : Polygon(ringOf(ring), fill) {}
 
 Polygon::Polygon(const Vec2* vertices, std::size_t count, FillRule fill)
     : data_(detail::PolygonData::make(detail::RingsView({vertices, count}), {fill})) {}
@@ -214,7 +225,7 @@ FillRule Polygon::fillRule() const { return data_->fill.rule; }
 bool Polygon::isComplement() const { return data_->fill.is_complement; }
 std::uint64_t Polygon::id() const { return data_->id; }
 std::size_t Polygon::vertexCount() const { return data_->edgeCount(); }
-const Vec2& Polygon::origin() const { return data_->origin; }
+const Vec2& Polygon::coveringOrigin() const { return data_->origin; }
 double Polygon::radius() const { return data_->reach; }
 
 Vec2 Polygon::edgeStart(EdgeIndex edge) const { return data_->path[data_->checkedEdgePosition(edge)]; }
@@ -277,19 +288,19 @@ Polygon Polygon::scaled(double factor) const {
   return mapped([&](const Vec2& vertex) { return Vec2(factor * vertex); });
 }
 
-Polygon point(const Vec2& p) {
+Polygon Polygon::point(const Vec2& p) {
   detail::requireFinite(p, "p");
   return segment(p, p);
 }
 
-Polygon segment(const Vec2& p, const Vec2& q) {
+Polygon Polygon::segment(const Vec2& p, const Vec2& q) {
   detail::requireFinite(p, "p");
   detail::requireFinite(q, "q");
   const Vec2 ring[] = {p, q, q};
   return Polygon(ring, 3);
 }
 
-Polygon box(double width, double height) {
+Polygon Polygon::box(double width, double height) {
   for (const auto& [length, field] : {std::pair(width, "width"), std::pair(height, "height")})
     if (!(length > 0 && std::isfinite(length))) detail::refuse(field, "it must be finite and positive");
   const double x = 0.5 * width, y = 0.5 * height;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace {
 
@@ -56,13 +56,13 @@ TEST(Documentation, Touching) {
 
 TEST(Documentation, AllowedOverlap) {
   //! [allowed overlap]
-  const tricover::Polygon floor = tricover::box(20, 1), crate = tricover::box(1, 1);
+  const tricover::Polygon floor = tricover::Polygon::box(20, 1), crate = tricover::Polygon::box(1, 1);
   tricover::CollideOptions allowed;
   allowed.margin = -1e-6;
-  const tricover::Pose here = tricover::Pose::Identity(), rests = tricover::pose(3, 1 - 1e-9);
+  const tricover::Pose here = tricover::Pose::Identity(), rests = tricover::poseAt(3, 1 - 1e-9);
   EXPECT_TRUE(tricover::collide(floor, here, crate, rests));
   EXPECT_FALSE(tricover::collide(floor, here, crate, rests, allowed));
-  EXPECT_TRUE(tricover::collide(floor, here, crate, tricover::pose(3, 0.9), allowed));
+  EXPECT_TRUE(tricover::collide(floor, here, crate, tricover::poseAt(3, 0.9), allowed));
   //! [allowed overlap]
 }
 

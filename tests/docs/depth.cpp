@@ -9,7 +9,7 @@
 #include <string>
 
 #include "tricover/covers.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/svg.h"
 
 namespace {
@@ -18,17 +18,17 @@ const tricover::Pose still = tricover::Pose::Identity();
 
 TEST(Documentation, Depth) {
   //! [depth]
-  const tricover::Polygon room = tricover::box(10, 10).complement(), crate = tricover::box(2, 2);
-  const tricover::Pose in_corner = tricover::pose(-4.01, -4.01);
+  const tricover::Polygon room = tricover::Polygon::box(10, 10).complement(), crate = tricover::Polygon::box(2, 2);
+  const tricover::Pose in_corner = tricover::poseAt(-4.01, -4.01);
   const tricover::Depth found = tricover::depth(room, still, crate, in_corner);
   EXPECT_NEAR(found.depth, 0.01 * std::sqrt(2), 1e-14);
   EXPECT_FALSE(found.is_point_of_a);
   EXPECT_NEAR(found.point_b.x(), -5.01, 1e-14);
   EXPECT_NEAR(found.point_b.y(), -5.01, 1e-14);
 
-  const tricover::Polygon bar = tricover::box(8, 0.5);
-  EXPECT_NEAR(tricover::depth(bar, still, bar, tricover::pose(0, 0, M_PI / 2)).depth, 0.25, 1e-14);
-  EXPECT_EQ(tricover::depth(bar, still, bar, tricover::pose(0, 0.5)).depth, 0);
+  const tricover::Polygon bar = tricover::Polygon::box(8, 0.5);
+  EXPECT_NEAR(tricover::depth(bar, still, bar, tricover::poseAt(0, 0, M_PI / 2)).depth, 0.25, 1e-14);
+  EXPECT_EQ(tricover::depth(bar, still, bar, tricover::poseAt(0, 0.5)).depth, 0);
   //! [depth]
 }
 
@@ -47,13 +47,13 @@ std::string pictureOfDepths() {
   };
   drawing.polyline({{0, -2.8}, {0, -2.8}}, "none");  // room for the texts
   const tricover::Polygon corner({{{-2, -2}, {2, -2}, {2, -1}, {-1, -1}, {-1, 2}, {-2, 2}}});
-  const tricover::Polygon area = tricover::box(9, 9).complement(), crate = tricover::box(2, 2);
-  const tricover::Pose in_corner = tricover::pose(-0.2, -0.2), lot = tricover::pose(3.5, 3.5);
+  const tricover::Polygon area = tricover::Polygon::box(9, 9).complement(), crate = tricover::Polygon::box(2, 2);
+  const tricover::Pose in_corner = tricover::poseAt(-0.2, -0.2), lot = tricover::poseAt(3.5, 3.5);
   draw(corner, crate, still, in_corner, tricover::depth(area, lot, crate, in_corner), "0.28");
-  const tricover::Polygon bar = tricover::box(4, 1), wall = tricover::box(4, 0.2), robot = tricover::box(2, 2);
-  const tricover::Pose second = tricover::pose(5.5, 0), across = tricover::pose(5.5, 0, M_PI / 2);
+  const tricover::Polygon bar = tricover::Polygon::box(4, 1), wall = tricover::Polygon::box(4, 0.2), robot = tricover::Polygon::box(2, 2);
+  const tricover::Pose second = tricover::poseAt(5.5, 0), across = tricover::poseAt(5.5, 0, M_PI / 2);
   draw(bar, bar, second, across, tricover::depth(bar, second, bar, across), "0.50");
-  const tricover::Pose third = tricover::pose(11, 0);
+  const tricover::Pose third = tricover::poseAt(11, 0);
   draw(robot, wall, third, third, tricover::depth(robot, third, wall, third), "1.00");
   return drawing.str();
 }
@@ -66,19 +66,19 @@ TEST(Documentation, PictureOfDepths) {
 
 TEST(Documentation, Excess) {
   //! [excess]
-  const tricover::Polygon sheet = tricover::box(10, 10), part = tricover::box(2, 2);
-  EXPECT_FALSE(tricover::covers(sheet, still, part, tricover::pose(4.25, 0)));
-  const tricover::Excess found = tricover::excess(part, tricover::pose(4.25, 0), sheet, still);
+  const tricover::Polygon sheet = tricover::Polygon::box(10, 10), part = tricover::Polygon::box(2, 2);
+  EXPECT_FALSE(tricover::covers(sheet, still, part, tricover::poseAt(4.25, 0)));
+  const tricover::Excess found = tricover::excess(part, tricover::poseAt(4.25, 0), sheet, still);
   EXPECT_NEAR(found.distance, 0.25, 1e-14);
   EXPECT_NEAR(found.point.x(), 5.25, 1e-14);
   EXPECT_NEAR(found.nearest.x(), 5, 1e-14);
-  EXPECT_EQ(tricover::excess(part, tricover::pose(4, 0), sheet, still).distance, 0);
+  EXPECT_EQ(tricover::excess(part, tricover::poseAt(4, 0), sheet, still).distance, 0);
   //! [excess]
 }
 
 TEST(Documentation, HausdorffDistance) {
   //! [hausdorff distance]
-  const tricover::Polygon square = tricover::box(2, 2), large = tricover::box(6, 6);
+  const tricover::Polygon square = tricover::Polygon::box(2, 2), large = tricover::Polygon::box(6, 6);
   EXPECT_EQ(tricover::excess(square, still, large, still).distance, 0);
   EXPECT_NEAR(tricover::hausdorffDistance(square, still, large, still), std::sqrt(8), 1e-14);
   //! [hausdorff distance]

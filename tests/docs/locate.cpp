@@ -14,4 +14,13 @@ TEST(Documentation, Locate) {
   //! [locate]
 }
 
+TEST(Documentation, LocateInTheWorld) {
+  //! [locate in the world]
+  const tricover::Polygon shelf = tricover::Polygon::box(4, 1);
+  const tricover::Pose at = tricover::poseAt(10, 5, M_PI / 2);  // it stands upright
+  EXPECT_EQ(tricover::locate(shelf, at, {10.5, 7}), tricover::Location::Boundary);
+  EXPECT_EQ(tricover::locate(shelf, at, {11.5, 5}), tricover::Location::Outside);
+  //! [locate in the world]
+}
+
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace {
 
@@ -25,11 +25,11 @@ TEST(Documentation, OccupancyMap) {
   EXPECT_EQ(map.grid.cells, (std::vector<std::int8_t>{100, 100, 100, 100,  //
                                                       100, 0, 0, 100,      //
                                                       100, 100, 100, -1}));
-  const auto walls = tricover::outline(map.grid);  // nothing for a map without a wall
-  const tricover::Polygon robot = tricover::box(0.04, 0.04);
-  // In the world, where the map's pose puts its walls.
-  EXPECT_FALSE(tricover::collide(*walls, map.pose, robot, tricover::pose(-0.9, 2.075)));
-  EXPECT_TRUE(tricover::collide(*walls, map.pose, robot, tricover::pose(-0.9, 2.025)));
+  const auto walls = tricover::outline(map);  // in the world; nothing for a map without a wall
+  const tricover::Polygon robot = tricover::Polygon::box(0.04, 0.04);
+  const tricover::Pose world = tricover::Pose::Identity();
+  EXPECT_FALSE(tricover::collide(*walls, world, robot, tricover::poseAt(-0.9, 2.075)));
+  EXPECT_TRUE(tricover::collide(*walls, world, robot, tricover::poseAt(-0.9, 2.025)));
   //! [occupancy map]
 }
 

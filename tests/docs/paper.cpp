@@ -13,7 +13,7 @@ namespace {
 TEST(Documentation, Covering) {
   //! [covering]
   const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
-  EXPECT_EQ(square.origin(), tricover::Vec2(2, 2));
+  EXPECT_EQ(square.coveringOrigin(), tricover::Vec2(2, 2));
   double area = 0;
   for (const tricover::paper::CoveringTriangle& t : tricover::paper::covering(square)) {
     const tricover::Vec2 v = t.v - t.s, w = t.w - t.s;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 
 namespace {
@@ -36,13 +36,13 @@ TEST(Documentation, Penetration) {
 
 TEST(Documentation, SignedDistance) {
   //! [signed distance]
-  const tricover::Polygon square = tricover::box(4, 4);
+  const tricover::Polygon square = tricover::Polygon::box(4, 4);
   const tricover::SignedDistance apart =
-      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(5, 0));
+      tricover::signedDistance(square, tricover::poseAt(0, 0), square, tricover::poseAt(5, 0));
   EXPECT_EQ(apart.distance, 1);
   EXPECT_EQ(apart.normal, tricover::Vec2(1, 0));
   const tricover::SignedDistance deep =
-      tricover::signedDistance(square, tricover::pose(0, 0), square, tricover::pose(3, 0));
+      tricover::signedDistance(square, tricover::poseAt(0, 0), square, tricover::poseAt(3, 0));
   EXPECT_NEAR(deep.distance, -1, 1e-12);
   EXPECT_NEAR(deep.normal.x(), 1, 1e-12);
   //! [signed distance]

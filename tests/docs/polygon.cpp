@@ -8,7 +8,6 @@
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
-#include "tricover/segment.h"
 
 namespace {
 
@@ -45,8 +44,8 @@ TEST(Documentation, PolygonMeasures) {
   EXPECT_EQ(frame.bounds().max(), tricover::Vec2(4, 4));
   EXPECT_FALSE(frame.isConvex());
   EXPECT_EQ(frame.translated({1, 0}).scaled(0.5).bounds().min(), tricover::Vec2(0.5, 0));
-  EXPECT_EQ(frame.transformed(tricover::pose(5, 0)).bounds().max(), tricover::Vec2(9, 4));
-  const Eigen::AlignedBox2d around = frame.bounds(tricover::pose(5, 0));  // but for rounding, outwards
+  EXPECT_EQ(frame.transformed(tricover::poseAt(5, 0)).bounds().max(), tricover::Vec2(9, 4));
+  const Eigen::AlignedBox2d around = frame.bounds(tricover::poseAt(5, 0));  // but for rounding, outwards
   EXPECT_TRUE(around.contains(tricover::Vec2(9, 4)));
   EXPECT_NEAR(around.max().x(), 9, 1e-14);
   //! [measures]
@@ -54,11 +53,11 @@ TEST(Documentation, PolygonMeasures) {
 
 TEST(Documentation, PolygonComplement) {
   //! [complement]
-  const tricover::Polygon lane({{{0, 0}, {20, 0}, {20, 4}, {0, 4}}}), car = tricover::box(4, 2);
+  const tricover::Polygon lane({{{0, 0}, {20, 0}, {20, 4}, {0, 4}}}), car = tricover::Polygon::box(4, 2);
   const tricover::Polygon outside = lane.complement();  // all of the plane but the lane's inside
-  EXPECT_FALSE(tricover::collide(outside, tricover::pose(0, 0), car, tricover::pose(10, 2)));
-  EXPECT_TRUE(tricover::collide(outside, tricover::pose(0, 0), car, tricover::pose(10, 3.5)));
-  EXPECT_EQ(tricover::distance(outside, tricover::pose(0, 0), car, tricover::pose(10, 2)).distance, 1);
+  EXPECT_FALSE(tricover::collide(outside, tricover::poseAt(0, 0), car, tricover::poseAt(10, 2)));
+  EXPECT_TRUE(tricover::collide(outside, tricover::poseAt(0, 0), car, tricover::poseAt(10, 3.5)));
+  EXPECT_EQ(tricover::distance(outside, tricover::poseAt(0, 0), car, tricover::poseAt(10, 2)).distance, 1);
   EXPECT_EQ(tricover::locate(outside, {1e9, 0}), tricover::Location::Inside);
   //! [complement]
 }

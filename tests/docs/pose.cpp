@@ -21,7 +21,7 @@ TEST(Documentation, Pose) {
   pose.linear() *= 2;  // a scale is no rigid motion
   EXPECT_THROW(tricover::checkPose(pose), std::invalid_argument);
 
-  const tricover::Pose robot = tricover::pose(2, 3, 0.5);  // at (2, 3), heading half a radian left of x
+  const tricover::Pose robot = tricover::poseAt(2, 3, 0.5);  // at (2, 3), heading half a radian left of x
   EXPECT_EQ(robot.translation(), tricover::Vec2(2, 3));
   //! [pose]
 }

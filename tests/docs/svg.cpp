@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tricover/contacts.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace {
 
@@ -33,8 +33,8 @@ TEST(Documentation, SvgOfAScene) {
   tricover::BodyOptions round;
   round.margin = 0.5;
   scene.add(tricover::Polygon({{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}), tricover::Pose::Identity());
-  scene.add(tricover::point({0, 0}), tricover::Pose(Eigen::Translation2d(2, 3)), round);  // a disc
-  const auto robot = tricover::point({0, 0});
+  scene.add(tricover::Polygon::point({0, 0}), tricover::Pose(Eigen::Translation2d(2, 3)), round);  // a disc
+  const auto robot = tricover::Polygon::point({0, 0});
   const auto drive = tricover::Motion::translation(tricover::Pose(Eigen::Translation2d(8, 0)), {-8, 0});
   tricover::SvgDrawing drawing;
   drawing.scene(scene);

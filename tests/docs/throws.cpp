@@ -14,8 +14,8 @@ namespace tricover {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
-const Pose here = Pose::Identity(), off = Pose(Eigen::Scaling(2.0)), nowhere = pose(kNaN, 0);
-const Polygon square = box(2, 2);
+const Pose here = Pose::Identity(), off = Pose(Eigen::Scaling(2.0)), nowhere = poseAt(kNaN, 0);
+const Polygon square = Polygon::box(2, 2);
 const Polygon outside = square.complement();
 const Vec2 p = {0, 0}, q = {5, 0}, bad_point = {0, kInfinity};
 const Touching no_touching = static_cast<Touching>(7);
@@ -63,7 +63,7 @@ TEST(Throws, Pairs) {
 
 TEST(Throws, PairsOfOtherValues) {
   const ContactDetail no_detail = static_cast<ContactDetail>(7);
-  const Pose apart = pose(9, 0), within = here;
+  const Pose apart = poseAt(9, 0), within = here;
   THROWS(collide.h, collide, std::invalid_argument, collide(square, here, square, here, {0, 0, no_touching}));
   THROWS(paper.h, collide, std::invalid_argument, paper::collide(square, here, square, here, {0, 0, no_touching}));
   THROWS(contacts.h, crossings, std::invalid_argument, crossings(square, here, square, here, {0, no_touching}));
@@ -72,16 +72,16 @@ TEST(Throws, PairsOfOtherValues) {
          contacts(square, here, square, here, {0, 9, ContactDetail::Points, no_touching}));
   THROWS(penetration.h, penetration, std::invalid_argument, penetration(square, here, square, here, {0, no_touching}));
   for (const Pose& at : {apart, within}) {
-    THROWS(contacts.h, contacts, std::invalid_argument, contacts(outside, here, box(1, 1), at));
-    THROWS(penetration.h, penetration, std::invalid_argument, penetration(box(1, 1), here, outside, at));
+    THROWS(contacts.h, contacts, std::invalid_argument, contacts(outside, here, Polygon::box(1, 1), at));
+    THROWS(penetration.h, penetration, std::invalid_argument, penetration(Polygon::box(1, 1), here, outside, at));
   }
 }
 
 /// Polygon::complement(): "legal in all queries but ...".
 TEST(Throws, NoOtherQueryOfAComplement) {
-  const Polygon body = box(1, 1);
+  const Polygon body = Polygon::box(1, 1);
   const Motion leaves = Motion::translation(here, {9, 0});
-  for (const Pose& at : {here, pose(9, 0), pose(1, 0)}) {
+  for (const Pose& at : {here, poseAt(9, 0), poseAt(1, 0)}) {
     EXPECT_NO_THROW(collide(outside, here, body, at));
     EXPECT_NO_THROW(paper::collide(body, at, outside, here));
     EXPECT_NO_THROW(crossings(outside, here, body, at));
@@ -104,7 +104,7 @@ TEST(Throws, NoOtherQueryOfAComplement) {
   scene.add(outside, here);
   scene.add(body, here);
   EXPECT_NO_THROW(scene.collisions());
-  EXPECT_NO_THROW(scene.covers(body, pose(9, 0)));
+  EXPECT_NO_THROW(scene.covers(body, poseAt(9, 0)));
   EXPECT_NO_THROW(scene.nearestK(outside, here, 2, 1));
   EXPECT_NO_THROW(scene.impacts({{1, leaves}}));
   EXPECT_NO_THROW(scene.castRayAll(p, q));
@@ -182,18 +182,18 @@ TEST(Throws, Polygons) {
   THROWS(polygon.h, Polygon::translated, std::invalid_argument, square.translated(bad_point));
   THROWS(polygon.h, Polygon::translated, std::invalid_argument, square.scaled(1e308).translated({1e308, 0}));
   THROWS(polygon.h, Polygon::transformed, std::invalid_argument, square.transformed(off));
-  THROWS(polygon.h, Polygon::transformed, std::invalid_argument, square.scaled(1e308).transformed(pose(1e308, 0)));
+  THROWS(polygon.h, Polygon::transformed, std::invalid_argument, square.scaled(1e308).transformed(poseAt(1e308, 0)));
   THROWS(polygon.h, Polygon::scaled, std::invalid_argument, square.scaled(0));
   THROWS(polygon.h, Polygon::scaled, std::invalid_argument, square.scaled(1e308).scaled(2));
   THROWS(polygon.h, Polygon::simplified, std::invalid_argument, square.simplified(-1));
   THROWS(polygon.h, Polygon::simplified, std::invalid_argument, square.simplified(kInfinity));
   THROWS(polygon.h, Polygon::simplified, std::invalid_argument, outside.simplified(1, Simplify::Outwards));
-  THROWS(polygon.h, Polygon::complement, std::invalid_argument, segment(p, q).complement());
+  THROWS(polygon.h, Polygon::complement, std::invalid_argument, Polygon::segment(p, q).complement());
   THROWS(polygon.h, Polygon::complement, std::invalid_argument,
          Polygon({cross, across}, FillRule::NonZero).complement());
-  THROWS(segment.h, point, std::invalid_argument, point(bad_point));
-  THROWS(segment.h, segment, std::invalid_argument, segment(p, bad_point));
-  for (const double bad : {kNaN, kInfinity, 0.0}) THROWS(segment.h, box, std::invalid_argument, box(1, bad));
+  THROWS(polygon.h, Polygon::point, std::invalid_argument, Polygon::point(bad_point));
+  THROWS(polygon.h, Polygon::segment, std::invalid_argument, Polygon::segment(p, bad_point));
+  for (const double bad : {kNaN, kInfinity, 0.0}) THROWS(polygon.h, Polygon::box, std::invalid_argument, Polygon::box(1, bad));
 }
 
 TEST(Throws, PosesAndMaps) {

@@ -23,7 +23,7 @@ namespace {
 using fcl::Transform3d, fcl::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
-const tricover::Polygon square = tricover::box(2, 2);
+const tricover::Polygon square = tricover::Polygon::box(2, 2);
 const Transform3d here = Transform3d::Identity(), nowhere(fcl::Translation3d(kNaN, 0, 0));
 const Transform3d tilted(Eigen::AngleAxisd(0.1, Vector3d::UnitX()));
 const PolygonShaped flat(square), outside(square.complement());

@@ -9,7 +9,7 @@
 
 #include "tricover/conflicts.h"
 #include "tricover/least_distance.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace {
 
@@ -61,10 +61,10 @@ TEST(Documentation, Conflicts) {
 TEST(Documentation, LeastDistance) {
   //! [least distance]
   // A robot passes a corner of a shelf.
-  const tricover::Polygon robot = tricover::box(1, 1), shelf = tricover::box(2, 2);
+  const tricover::Polygon robot = tricover::Polygon::box(1, 1), shelf = tricover::Polygon::box(2, 2);
   const tricover::LeastDistance least =
-      tricover::leastDistance(shelf, tricover::Motion::still(tricover::pose(0, 0)), robot,
-                              tricover::Motion::translation(tricover::pose(-3, 3), {6, -1}));
+      tricover::leastDistance(shelf, tricover::Motion::still(tricover::poseAt(0, 0)), robot,
+                              tricover::Motion::translation(tricover::poseAt(-3, 3), {6, -1}));
   EXPECT_NEAR(least.distance, 4.5 / std::sqrt(37), 2e-6);  // of its lower left corner from the shelf's upper right one
   EXPECT_GE(least.distance, least.lower_bound);
   //! [least distance]
@@ -74,9 +74,9 @@ TEST(Documentation, ImpactWithAllowedOverlap) {
   //! [allowed overlap]
   // A room with a wall on the right, and a crate that slides along the floor into the wall.
   const tricover::Polygon room(tricover::Ring{{-10, -1}, {10, -1}, {10, 5}, {1.5, 5}, {1.5, 0.5}, {-10, 0.5}});
-  const tricover::Polygon crate = tricover::box(1, 1);
+  const tricover::Polygon crate = tricover::Polygon::box(1, 1);
   const tricover::Motion still = tricover::Motion::still(tricover::Pose::Identity());
-  const tricover::Motion slides = tricover::Motion::translation(tricover::pose(-2, 1), {4, 0});
+  const tricover::Motion slides = tricover::Motion::translation(tricover::poseAt(-2, 1), {4, 0});
   EXPECT_EQ(tricover::timeOfImpact(room, still, crate, slides)->time, 0);  // it touches the floor
 
   tricover::ImpactOptions allowed;

@@ -5,32 +5,32 @@
 
 #include <iostream>
 
-using tricover::pose;
+using tricover::poseAt;
 
 int main() {
   // The platform's top is at y = 0.5, and a stop is on it at x = 4.
   const tricover::Polygon platform({{{0, -0.5}, {6, -0.5}, {6, 1.5}, {4, 1.5}, {4, 0.5}, {0, 0.5}}});
-  const tricover::Polygon robot = tricover::box(1, 0.6);
-  const auto still = tricover::Motion::still(pose(0, 0));
+  const tricover::Polygon robot = tricover::Polygon::box(1, 0.6);
+  const auto still = tricover::Motion::still(poseAt(0, 0));
 
   // Leaves: contact at the start doesn't count, nor does the separation itself.
   tricover::ImpactOptions leaving;
   leaving.ignore_initial = true;
-  const auto up = tricover::Motion::translation(pose(1, 0.8), {0, 1});
+  const auto up = tricover::Motion::translation(poseAt(1, 0.8), {0, 1});
   std::cout << (timeOfImpact(platform, still, robot, up, leaving) ? "is stuck\n" : "leaves freely\n");
 
   // Slides: an overlap of a micrometre is allowed, and the stop isn't overlooked.
   tricover::ImpactOptions sliding;
   sliding.margin = -1e-6;
-  const auto along = [](double length) { return tricover::Motion::translation(pose(1, 0.8), {length, 0}); };
+  const auto along = [](double length) { return tricover::Motion::translation(poseAt(1, 0.8), {length, 0}); };
   std::cout << (timeOfImpact(platform, still, robot, along(2), sliding) ? "is stuck\n" : "slides freely\n");
   if (const auto impact = timeOfImpact(platform, still, robot, along(4), sliding))
     std::cout << "hits the stop at time " << impact->time << ", edge " << impact->edge_a << "\n";
 
   // All of it by the clock: comes down, slides from 2 s to 4 s, leaves.
-  const auto rest = tricover::Trajectory::through({{0, pose(0, 0)}, {6, pose(0, 0)}});
+  const auto rest = tricover::Trajectory::through({{0, poseAt(0, 0)}, {6, poseAt(0, 0)}});
   const auto way =
-      tricover::Trajectory::through({{0, pose(1, 2)}, {2, pose(1, 0.8)}, {4, pose(3, 0.8)}, {6, pose(3, 2)}});
+      tricover::Trajectory::through({{0, poseAt(1, 2)}, {2, poseAt(1, 0.8)}, {4, poseAt(3, 0.8)}, {6, poseAt(3, 2)}});
   for (const tricover::Conflict& contact : conflicts(platform, rest, robot, way))
     std::cout << "in contact from " << contact.impact.time << " s to " << contact.end << " s\n";
   std::cout << conflicts(platform, rest, robot, way, sliding).size() << " collisions\n";

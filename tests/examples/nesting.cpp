@@ -84,7 +84,7 @@ int run(const std::vector<std::string>& arguments) {
     if (body == sheet) continue;
     drawing.polygon(scene.polygon(body), scene.pose(body), "#a7c7e7", "#333", kKerf / 2);
     drawing.polyline(
-        {before.pose(body) * before.polygon(body).origin(), scene.pose(body) * scene.polygon(body).origin()},
+        {before.pose(body) * before.polygon(body).coveringOrigin(), scene.pose(body) * scene.polygon(body).coveringOrigin()},
         "#dc2626");
   }
   savePicture(drawing, arguments[0]);

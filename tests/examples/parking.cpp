@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-using tricover::pose;
+using tricover::poseAt;
 
 int main() {
   // Two bays are closed for works, which leaves a hole. The lane to the street is a second area, next to the lot.
@@ -17,25 +17,25 @@ int main() {
 
   // Poses one by one, in the lot alone, with 0.2 m to spare, and in the lot and the lane together.
   tricover::Scene drivable;
-  drivable.add(lot, pose(0, 0));
-  drivable.add(lane, pose(0, 0));
-  for (const tricover::Pose& at : {pose(5, 3), pose(9, 5, 0.7), pose(2, 11.1), pose(-2, 3)})
+  drivable.add(lot, poseAt(0, 0));
+  drivable.add(lane, poseAt(0, 0));
+  for (const tricover::Pose& at : {poseAt(5, 3), poseAt(9, 5, 0.7), poseAt(2, 11.1), poseAt(-2, 3)})
     std::cout << "(" << at.translation().transpose() << "): "
-              << (covers(lot, pose(0, 0), car, at, {0.2}) ? "in the lot with 0.2 m to spare\n"
-                  : covers(lot, pose(0, 0), car, at)      ? "in the lot\n"
+              << (covers(lot, poseAt(0, 0), car, at, {0.2}) ? "in the lot with 0.2 m to spare\n"
+                  : covers(lot, poseAt(0, 0), car, at)      ? "in the lot\n"
                   : drivable.covers(car, at)              ? "in the lot and the lane\n"
                                                           : "outside\n");
 
   // The way into a bay in 8 s, beside all that isn't drivable.
   const auto way = tricover::Trajectory::spline(
       {{0, {{4, 3}, 0, {2, 0}, 0}}, {4, {{12, 3.5}, 0.2, {2, 0.5}, 0.3}}, {8, {{18, 8}, M_PI / 2, {0, 0.5}, 0}}});
-  const auto border = tricover::Trajectory::through({{0, pose(0, 0)}, {8, pose(0, 0)}});
+  const auto border = tricover::Trajectory::through({{0, poseAt(0, 0)}, {8, poseAt(0, 0)}});
   const auto least = leastDistance(lot.complement(), border, car, way);
   std::cout << "least clearance " << least.distance << " m at " << least.time << " s\n";
 
   // Another car leaves its bay meanwhile, and the lot at 8 s: it is there from 1 s to 8 s.
   const auto other = tricover::Trajectory::through(
-      {{1, pose(22, 7.5, M_PI / 2)}, {3, pose(22, 2.5, M_PI / 2)}, {4, pose(22, 2.5, M_PI)}, {8, pose(5, 2.5, M_PI)}});
+      {{1, poseAt(22, 7.5, M_PI / 2)}, {3, poseAt(22, 2.5, M_PI / 2)}, {4, poseAt(22, 2.5, M_PI)}, {8, poseAt(5, 2.5, M_PI)}});
   tricover::ImpactOptions options;
   options.margin = 0.5;
   options.absent_outside = true;

@@ -15,7 +15,7 @@
 
 #include "mixed_scene.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -65,7 +65,7 @@ TEST(AllowedOverlap, theSumOfAllMarginsDecides) {
 
 /// The test of discs around the shapes' origins says nothing else.
 TEST(AllowedOverlap, ofDiscsAndOfShapesFarApart) {
-  const auto disc = withMargin(tricover::point({0, 0}), 0.5);
+  const auto disc = withMargin(tricover::Polygon::point({0, 0}), 0.5);
   const fcl::Sphered ball(0.5);
   const auto square = withMargin(Polygon({rectangle(-1, -1, 1, 1)}), 0);
   for (const double margin : {-0.25, -0.75, -3.0, -40.0}) {

@@ -4,7 +4,7 @@
 
 #include "mixed_scene.h"
 #include "motions.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -24,7 +24,7 @@ TEST(Complement, holdsWhatIsInside) {
   EXPECT_TRUE(meet(withMargin(kRoom.complement(), 0.5), kHere, kVehicle, lifted(0, 4, 0)));
   EXPECT_FALSE(meet(withMargin(kRoom.complement(), 0.5), kHere, kVehicle, lifted(0, 3.9, 0)));
   EXPECT_TRUE(meet(shapeOf<float>(kRoom.complement()), lifted<float>(0, 0, 0),
-                   withMargin<float>(tricover::box(1, 1), 0), lifted<float>(0, 4.5, 0)));
+                   withMargin<float>(tricover::Polygon::box(1, 1), 0), lifted<float>(0, 4.5, 0)));
 }
 
 TEST(Complement, distancesContactsAndImpacts) {
@@ -107,7 +107,7 @@ TEST(NegativeMargin, allowsOverlap) {
   EXPECT_NEAR(contacts[0].penetration_depth, 0.125, 1e-12);
   EXPECT_THROW(distanceOf(fcl::GST_LIBCCD, false, plain, kHere, allowing, lifted(0, 3, 0)), std::invalid_argument);
   // Discs, whose shapes are decided by their margins.
-  const Shape<double> dot = withMargin(tricover::point({0, 0}), -0.5);
+  const Shape<double> dot = withMargin(tricover::Polygon::point({0, 0}), -0.5);
   EXPECT_FALSE(meet(dot, kHere, dot, lifted(0, 0.125, 0)));
   const Slide comes(lifted(0, 3, 0), lifted(0, -1, 0)), slides(lifted(0, -3, 1), lifted(0, 3, 1));
   EXPECT_NEAR(impactOf(plain, kRests, allowing, comes, advancing(1e-6)).time_of_contact, 2.25 / 4, 2e-6);

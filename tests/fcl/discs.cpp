@@ -10,14 +10,14 @@
 #include "ask.h"
 #include "exact_reference.h"
 #include "tricover/distance.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
 
 template <typename S = double>
 Shape<S> disc(double margin, const Vec2& center = Vec2::Zero(), double z_low = -1, double z_high = 1) {
-  return shapeOf<S>(tricover::point(center), {margin, z_low, z_high});
+  return shapeOf<S>(tricover::Polygon::point(center), {margin, z_low, z_high});
 }
 
 /// Of a result that has already found something as near as the limit.
@@ -54,7 +54,7 @@ void expectExact(std::uint64_t seed) {
     const Vec2 center_a = random.oneIn(8) ? Vec2(size * random.unit(), size) : Vec2::Zero();
     const fcl::Transform3<S> tf_a = randomPlace<S>(random, size), tf_b = randomPlace<S>(random, size);
     const Pose pose_a = flat(tf_a), pose_b = flat(tf_b);
-    const Polygon a = tricover::point(center_a), b = tricover::point(Vec2::Zero());
+    const Polygon a = tricover::Polygon::point(center_a), b = tricover::Polygon::point(Vec2::Zero());
     const mpq_class square = tricover::exact::distanceSquared(a, pose_a, b, pose_b);
     const double gap = tricover::exact::distanceBelow(square);
     const int steps = random.integer(-12, 12);
@@ -125,7 +125,7 @@ TEST(Discs, arePointsAtTheOrigin) {
   EXPECT_TRUE(disc(1)->isDisc());
   EXPECT_TRUE(disc(0, {-0.0, 0.0})->isDisc());
   EXPECT_FALSE(disc(1, {0, 1e-300})->isDisc());
-  EXPECT_FALSE(shapeOf(tricover::segment({0, 0}, {1, 0}))->isDisc());
+  EXPECT_FALSE(shapeOf(tricover::Polygon::segment({0, 0}, {1, 0}))->isDisc());
   EXPECT_FALSE(shapeOf(Polygon({{{0, 0}, {0, 0}, {0, 0}}, {{1, 0}, {2, 0}, {1, 1}}}))->isDisc());
 }
 

@@ -6,7 +6,7 @@
 
 #include "ask.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -80,7 +80,7 @@ TEST(Distance, andNearestPoints) {
   const Polygon unit({rectangle(0, 0, 1, 1)});
   const auto prism = [&](double low, double high) { return shapeOf(unit, {0, low, high}); };
   const auto disc = [](double margin, double low, double high) {
-    return shapeOf(tricover::point({0, 0}), {margin, low, high});
+    return shapeOf(tricover::Polygon::point({0, 0}), {margin, low, high});
   };
   const auto at = [](double x, double z = 0) { return lifted(0, x, 0, z); };
   const auto x = [](double value) { return Vec3(value, kNaN, kNaN); };
@@ -121,8 +121,8 @@ TEST(Distance, isMinusOneExactlyWhereInteriorsMeet) {
   const Shape<double> left = of(rectangle(-1, -1, 0, 1)), right = of(rectangle(0, -1, 1, 1)),
                       diamond = of({{0, 0}, {1, 1}, {2, 0}, {1, -1}}), square = of(rectangle(-1, -1, 1, 1)),
                       frame = shapeOf(Polygon({rectangle(-3, -3, 3, 3), rectangle(-1, -1, 1, 1)})),
-                      level = shapeOf(tricover::segment({-1, 0}, {1, 0})),
-                      upright = shapeOf(tricover::segment({0, -1}, {0, 1})), point = shapeOf(tricover::point({0, 0}));
+                      level = shapeOf(tricover::Polygon::segment({-1, 0}, {1, 0})),
+                      upright = shapeOf(tricover::Polygon::segment({0, -1}, {0, 1})), point = shapeOf(tricover::Polygon::point({0, 0}));
   const auto expect = [](const char* what, const Shape<double>& a, const Shape<double>& b, double x, double distance) {
     const Vec3 any = Vec3::Constant(kNaN);
     expectRow({what, a, kHere, b, lifted(0, x, 0), distance, kNaN, any, any, 1e-315});
@@ -136,7 +136,7 @@ TEST(Distance, isMinusOneExactlyWhereInteriorsMeet) {
   expect("not there", frame, square, 1e-17, -1);
   // Segments and points have no interior. They overlap where they have a depth.
   expect("crossing segments", level, upright, 0, -1);
-  expect("touching segments", shapeOf(tricover::segment({-1, 0}, {0, 0})), upright, 0, 0);
+  expect("touching segments", shapeOf(tricover::Polygon::segment({-1, 0}, {0, 0})), upright, 0, 0);
   expect("a point within", left, point, -0.5, -1);
   expect("a point on an edge", left, point, 0, 0);
 }
@@ -253,7 +253,7 @@ TEST(Distance, signedOfWhatIsNotOccupiedDoesNotAbort) {
 TEST(Distance, badPosesAndErrorsAreRefusedHoweverFarApart) {
   Transform scaled = lifted(0, 5, 0, 100), tilted(fcl::AngleAxis<double>(1, Vec3::UnitX()));
   scaled.matrix()(0, 0) = 2;
-  for (const auto& shape : {rectangular(0, 0, 1, 1), shapeOf(tricover::point({0, 0}), {1, -1, 1})}) {
+  for (const auto& shape : {rectangular(0, 0, 1, 1), shapeOf(tricover::Polygon::point({0, 0}), {1, -1, 1})}) {
     fcl::DistanceResultd result(1);  // nearer than these
     const auto ask = [&](const Transform& there, const fcl::DistanceRequestd& request) {
       fcl::distance(shape.get(), kHere, shape.get(), there, request, result);

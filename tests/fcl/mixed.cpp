@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "mixed_scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -182,9 +182,9 @@ TEST(MixedMotions, meetOnTime) {
   const auto box = [](double x, double y) { return std::make_shared<fcl::Boxd>(x, y, y); };
   const auto plane = std::make_shared<fcl::Planed>(0, 1, 0, 2);
   std::vector<Passing> rows = {
-      {"nothing tunnels", rectangular(0, 0, 1e-3, 1e-3), at(-500, 0), at(500, 0), box(1e-3, 10), at(1, 0), at(1, 0),
+      {"nothing tunnels", rectangular(0, 0, 1e-3, 1e-3), at(-500, 0), at(500, 0), Polygon::box(1e-3, 10), at(1, 0), at(1, 0),
        fcl::CCDM_TRANS, (501 - 1.5e-3) / 1000},
-      {"contact at the end", tip(), at(3, 0), at(1, 0), box(2, 2), kHere, kHere, fcl::CCDM_LINEAR, 1}};
+      {"contact at the end", tip(), at(3, 0), at(1, 0), Polygon::box(2, 2), kHere, kHere, fcl::CCDM_LINEAR, 1}};
   for (const fcl::CCDMotionType type : {fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
     rows.push_back({"a rod turns into a sphere", rod, kHere, turned_rod, sphere(0.5), at(0, 2), at(0, 2), type,
                     (M_PI / 2 - std::asin(0.25)) / end});
@@ -192,7 +192,7 @@ TEST(MixedMotions, meetOnTime) {
     rows.push_back({"into a plane", rod, kHere, turned_rod, plane, kHere, kHere, type, std::asin(2.0 / 3) / end});
   }
   for (int i = 0; i < 12; ++i) {  // a round outline stands at most 1e-4 of its size off
-    rows.push_back({"a spheroid is round", shapeOf(tricover::point({0, 0})),
+    rows.push_back({"a spheroid is round", shapeOf(tricover::Polygon::point({0, 0})),
                     at(5 * std::cos(0.37 * i), 5 * std::sin(0.37 * i)), kHere,
                     std::make_shared<fcl::Ellipsoidd>(1, 1, 2), kHere, kHere, fcl::CCDM_TRANS, 0.8,
                     1e-4 * 2 / 5 + kEarliest});

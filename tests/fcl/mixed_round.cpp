@@ -6,7 +6,7 @@
 #include "mixed_scene.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -24,14 +24,14 @@ TEST(MixedRound, isExactOnEveryFamily) {
     SCOPED_TRACE(family.name);
     for (int i = 0; i < scaledCount(30); ++i) {
       const Case c = family.make(static_cast<std::uint64_t>(i));
-      const Vec2 center = c.pose_b * c.b.origin();
+      const Vec2 center = c.pose_b * c.b.coveringOrigin();
       if (!(center.norm() < 1e300)) continue;
       Pose place = Pose::Identity();
       place.translation() = center;
       const double angle = random.real(-3, 3), size = random.coin() ? 0 : (c.pose_b.linear() * c.b.edgeStart(0)).norm();
       const Vec2 axis(std::cos(angle), std::sin(angle));
       place.linear() << axis.x(), -axis.y(), axis.y(), axis.x();
-      const Polygon segment = size == 0 ? tricover::point({0, 0}) : tricover::segment({-size / 2, 0}, {size / 2, 0});
+      const Polygon segment = size == 0 ? tricover::Polygon::point({0, 0}) : tricover::Polygon::segment({-size / 2, 0}, {size / 2, 0});
       const mpq_class square = tricover::exact::distanceSquared(c.a, c.pose_a, segment, place);
       const double gap = tricover::exact::distanceBelow(square);
       if (!(gap > 1e-300 && gap < 1e300 && size < 1e300)) continue;
@@ -66,7 +66,7 @@ TEST(MixedRound, isExactOnEveryFamily) {
 struct Scene {
   std::shared_ptr<Body> geometry;
   Transform pose;
-  Polygon segment = tricover::point({0, 0});  ///< what it leaves in the plane, in the world, and how far around
+  Polygon segment = tricover::Polygon::point({0, 0});  ///< what it leaves in the plane, in the world, and how far around
   double radius = 0;                          ///< negative: it doesn't reach the heights
   double low = 0, high = 0;                   ///< its own heights
 };
@@ -83,7 +83,7 @@ Scene anyRound(Random& random, double low, double high) {
   };
   const auto capsule = std::make_shared<fcl::Capsuled>(r, length);
   const Transform standing = placed(at, turned(angle, Vec3::UnitZ())), any = placed(at, turned(angle, {1, 2, 3}));
-  const Polygon point = tricover::point(center);
+  const Polygon point = tricover::Polygon::point(center);
   const double upright = low - z <= length / 2 && z - high <= length / 2 ? r : -1, rise = length / 2;
   switch (random.integer(0, 3)) {
     case 0:
@@ -93,7 +93,7 @@ Scene anyRound(Random& random, double low, double high) {
     case 2:
       return {capsule, standing, point, section(rise), z - rise - r, z + rise + r};
     default:
-      return {capsule, lying(axis, at), tricover::segment(center - half, center + half), section(0), z - r, z + r};
+      return {capsule, lying(axis, at), tricover::Polygon::segment(center - half, center + half), section(0), z - r, z + r};
   }
 }
 
@@ -127,7 +127,7 @@ TEST(MixedRound, sectionsDistancesAndNearestPoints) {
       const Vec3 on_shape = back * result.nearest_points[0], on_other = back * result.nearest_points[1];
       ASSERT_NEAR((on_shape - on_other).norm(), std::max(left, 0.0), 1e-11) << i;
       const auto off = [&](const Polygon& polygon, const Pose& where, const Vec3& point) {
-        return tricover::distance(polygon, where, tricover::point(point.head<2>()), identity).distance;
+        return tricover::distance(polygon, where, tricover::Polygon::point(point.head<2>()), identity).distance;
       };
       ASSERT_LE(off(shape->polygon(), pose, on_shape), margin + 1e-11) << i;
       ASSERT_LE(off(scene.segment, identity, on_other), scene.radius + 1e-11) << i;
@@ -212,7 +212,7 @@ TEST(MixedRound, contactsPartThemByTheShortestWay) {
     whole += all.size() == 1 || (all.size() == 2 && all[0].normal == all[1].normal);
     const bool is_direct = gap > 0 && std::abs(depth - (both - gap)) < 1e-9;
     if (is_direct) {  // in the middle of what they share
-      const Polygon there = tricover::point((by.inverse() * contact.pos).head<2>());
+      const Polygon there = tricover::Polygon::point((by.inverse() * contact.pos).head<2>());
       ASSERT_NEAR(tricover::distance(scene.segment, identity, there, identity).distance,
                   std::abs(scene.radius - depth / 2), 1e-9);
       ASSERT_LE(std::abs(tricover::distance(shape->polygon(), pose, there, identity).distance - margin),

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mixed_scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -94,7 +94,7 @@ TEST(PlanarPoses, areCheckedEntryByEntryAndNamed) {
     bool is_planar;  ///< of polygons, which may tilt by kTilt
   };
   constexpr double kTilt = 1e-6;
-  const Shape<double> disc = shapeOf(tricover::point({0, 0}), {1, -1, 1}),
+  const Shape<double> disc = shapeOf(tricover::Polygon::point({0, 0}), {1, -1, 1}),
                       prism = rectangular(-1, -1, 1, 1, {0, -1, 1});
   const Pair pairs[] = {{"squares", kSquare, kSquare, true},
                         {"discs", disc, disc, true},

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (margin != 0) return 0;
   if ((before.linear().determinant() < 0) != (pose_b.linear().determinant() < 0)) return 0;  // no motion mirrors
-  const Motion motion = Motion::between(before, pose_b, b.origin());
+  const Motion motion = Motion::between(before, pose_b, b.coveringOrigin());
   if (!motion.shift.allFinite()) return 0;
   const std::vector<Conflict> spans = conflicts(a, Motion::still(pose_a), b, motion, {0, 0x1p-5});
   for (int i = 0; i <= 8; ++i) {

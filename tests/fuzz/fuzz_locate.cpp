@@ -6,14 +6,14 @@
 #include "reproduction.h"
 #include "tricover/locate.h"
 #include "tricover/ray.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tricover;
   fuzz::ByteReader bytes(data, size);
   const Polygon polygon = bytes.polygon();
   for (int i = 0; i < 6; ++i) {
-    const Vec2 point = i == 3 ? polygon.origin() : bytes.point();
+    const Vec2 point = i == 3 ? polygon.coveringOrigin() : bytes.point();
     if (locate(polygon, point) != exact::locate(polygon, point))
       fuzz::fail("location", support::reproduction(polygon, point));
   }
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool right = hit.has_value() == truth.has_value() &&
                        (!hit || (hit->edge == support::namedEdge(polygon, static_cast<EdgeIndex>(truth->edge)) &&
                                  abs(truth->fraction - hit->fraction) <= 1e-14));
-    if (!right) fuzz::fail("ray", support::reproduction({polygon, pose, segment(from, to), Pose::Identity()}));
+    if (!right) fuzz::fail("ray", support::reproduction({polygon, pose, Polygon::segment(from, to), Pose::Identity()}));
   }
   return 0;
 }

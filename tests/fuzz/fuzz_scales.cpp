@@ -21,7 +21,7 @@
 #include "tricover/distance.h"
 #include "tricover/least_distance.h"
 #include "tricover/ray.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace {
 
@@ -51,8 +51,8 @@ class Scales {
   }
   Polygon polygon() {
     const int kind = bytes_.byte();
-    if (kind % 16 == 0) return tricover::point(point());
-    if (kind % 16 == 1) return segment(point(), point());
+    if (kind % 16 == 0) return tricover::Polygon::point(point());
+    if (kind % 16 == 1) return Polygon::segment(point(), point());
     std::vector<Ring> rings(static_cast<std::size_t>(1 + (kind & 32 ? kind % 3 : 0)));
     for (Ring& ring : rings)
       for (int count = bytes_.integer(3, kind & 64 ? 20 : 6); count > 0; --count)

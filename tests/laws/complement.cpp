@@ -80,7 +80,7 @@ Case plugs(Random& random) {
     for (int tries = random.coin() ? 20 : 0; tries > 0; --tries) {  // small, around a point inside
       const Vec2 p(random.integer(-24, 24) / 4.0, random.integer(-24, 24) / 4.0);
       if (exact::locate(hole, p) != Location::Inside) continue;
-      plug = plug.translated(-plug.origin()).scaled(0x1p-5).translated(p);
+      plug = plug.translated(-plug.coveringOrigin()).scaled(0x1p-5).translated(p);
       break;
     }
     if (random.oneIn(16)) complemented(plug);
@@ -101,7 +101,7 @@ Case plugs(Random& random) {
 Case withComplement(Random& random, const Case& made) {
   Case c = made;
   if (random.coin())
-    c.pose_b.translation() += 0.5 * random.integer(0, 2) * (c.pose_a * c.a.origin() - c.pose_b * c.b.origin());
+    c.pose_b.translation() += 0.5 * random.integer(0, 2) * (c.pose_a * c.a.coveringOrigin() - c.pose_b * c.b.coveringOrigin());
   if (!c.pose_b.translation().allFinite()) c.pose_b = made.pose_b;
   if (random.coin()) c.b = c.b.scaled(0x1p-3);
   const bool of_a = random.oneIn(4);
@@ -113,7 +113,7 @@ Case withComplement(Random& random, const Case& made) {
 std::string wrongLocation(Random& random, const Polygon& polygon) {
   for (int i = 0; i < 8; ++i) {
     const EdgeIndex edge = anyEdge(random, polygon);
-    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+    const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.coveringOrigin();
     const double share = random.integer(0, 8) / 4.0;
     const Vec2 p =
         random.coin() ? Vec2(v + share * (w - v)) : Vec2(s + share * std::pow(10, random.integer(0, 20)) * (v - s));
@@ -155,7 +155,7 @@ std::string wrongWith(Random& random, Tally& tally, const Case& c) {
     if (random.coin()) options.margin = margin;
     if (random.coin()) options.relative_error = 0.1;
     PairCache cache;
-    const bool is_plain = std::max(c.a.origin().stableNorm(), c.b.origin().stableNorm()) < 1e300;
+    const bool is_plain = std::max(c.a.coveringOrigin().stableNorm(), c.b.coveringOrigin().stableNorm()) < 1e300;
     if (is_plain && !isOneTwice(c))
       wrong = wrongDistances(c, options, exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b), cache);
   }

@@ -15,7 +15,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::laws {
@@ -92,7 +92,7 @@ Flight crossingOrThin(Random& random) {
   const Ring ring = star(random, 7, -1, 2);
   const Polygon crossing({ring, rectangle(-1, -1, 1, 1)}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
   const Vec2 p = anyVec(random, 1);
-  return {crossing, whole(anySpline(random, 1, 2)), random.coin() ? point(p) : segment(p, anyVec(random, 1)),
+  return {crossing, whole(anySpline(random, 1, 2)), random.coin() ? Polygon::point(p) : Polygon::segment(p, anyVec(random, 1)),
           whole(anySpline(random, 3, 3))};
 }
 
@@ -128,9 +128,9 @@ Flight floors(Random& random) {
   const double allowed = std::pow(10, random.real(-6, -1)), from = random.real(-6, 6);
   const Motion slides =
       random.coin()
-          ? Motion::translation(tricover::pose(from, 0.5 + random.real(-0.9, 0.5) * allowed), {random.real(-20, 20), 0})
+          ? Motion::translation(tricover::poseAt(from, 0.5 + random.real(-0.9, 0.5) * allowed), {random.real(-20, 20), 0})
           : Motion::spline({{from, 0.5}, 0, {9, 0}, 0}, {{random.real(-6, 6), 0.5}, 0, {9, 0}, 0});
-  return {Polygon(floor), still(), box(1, 1), whole(slides), -allowed};
+  return {Polygon(floor), still(), Polygon::box(1, 1), whole(slides), -allowed};
 }
 
 Flight deepTurns(Random& random) {
@@ -167,7 +167,7 @@ Flight rings(Random& random) {
   const Polygon walls({rectangle(-2, -2, 2, 2), rectangle(-1, -1, 1, 1)}),
       body({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}});
   const Vec2 from = anyVec(random, 4);
-  Motion motion = Motion::translation(tricover::pose(from.x(), from.y()), anyVec(random, 8));
+  Motion motion = Motion::translation(tricover::poseAt(from.x(), from.y()), anyVec(random, 8));
   if (random.coin()) motion.angle = random.real(-2, 2);
   return {body, still(), walls, whole(motion), -random.real(0.01, 0.45)};
 }
@@ -178,7 +178,7 @@ Flight lots(Random& random) {
   Motion motion = Motion::still(support::turnedAndMoved(random.real(0, 6), random.real(-5, 5), random.real(-4, 4)));
   motion.shift = anyVec(random, 8);
   motion.angle = random.real(-1, 1);
-  return {lot.complement(), still(), box(2, 1), whole(motion), -random.real(0.001, 0.3)};
+  return {lot.complement(), still(), Polygon::box(2, 1), whole(motion), -random.real(0.001, 0.3)};
 }
 
 /// Segments through thick bodies.
@@ -186,8 +186,8 @@ Flight segments(Random& random) {
   Motion motion = Motion::still(support::turnedAndMoved(random.real(0, 6), random.real(-2, 2), random.real(-2, 2)));
   motion.shift = anyVec(random, 4);
   motion.angle = random.real(-2, 2);
-  const Polygon thin = segment(anyVec(random, 2), anyVec(random, 2));
-  return {random.coin() ? anyStar(random, 1) : box(4, 2), still(), thin, whole(motion), -random.real(0.001, 0.5)};
+  const Polygon thin = Polygon::segment(anyVec(random, 2), anyVec(random, 2));
+  return {random.coin() ? anyStar(random, 1) : Polygon::box(4, 2), still(), thin, whole(motion), -random.real(0.001, 0.5)};
 }
 
 struct Kind {

@@ -156,7 +156,7 @@ Sheet around(Random& random, const Case& c) {
   Sheet sheet{{{c.a, c.pose_a, {}}}, c.b, c.pose_b};
   const double shrunk = random.oneIn(3) ? 1 : 1 - std::ldexp(1, -random.integer(1, 20));
   if (random.coin()) {
-    const Vec2 s = c.a.origin();
+    const Vec2 s = c.a.coveringOrigin();
     sheet.part = c.a.translated(-s).scaled(shrunk).translated(s);
     sheet.pose = c.pose_a;
     if (random.coin()) sheet.areas.push_back({c.b, c.pose_b, {}});

@@ -157,7 +157,7 @@ std::string wrong(Random& random, Tally& tally) {
   const Vec2 from = through - random.real(0, random.coin() ? 1.2 : 0.2) * way;
   const double allowed = random.coin() ? std::pow(10, random.real(-9, -1)) : random.real(0.01, 0.5);
   const MovingCase c{Polygon(a), Motion::still(Pose::Identity()), Polygon(b),
-                     Motion::translation(tricover::pose(from.x(), from.y()), way), -allowed};
+                     Motion::translation(tricover::poseAt(from.x(), from.y()), way), -allowed};
   const std::string problem = wrongWith(random, tally, c, a, b);
   return problem.empty() ? problem : problem + "\n" + reproduction(c);
 }

@@ -19,7 +19,7 @@
 #include "shapes.h"
 #include "tricover/covers.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -56,8 +56,8 @@ Polygon smallPolygon(Random& random) {
     case 5:
       return Polygon({rectangle(-2, -1, 1, 1), gridRing(random, 3)}, fill);
     case 6:
-      return random.oneIn(4) ? point({random.real(-1, 1), 0})
-                             : segment({random.real(-2, 0), 0}, {1, random.real(-1, 1)});
+      return random.oneIn(4) ? Polygon::point({random.real(-1, 1), 0})
+                             : Polygon::segment({random.real(-2, 0), 0}, {1, random.real(-1, 1)});
     case 7: {
       // A square with a slit into it and a spike out of it.
       const double x = random.real(-1, 1);
@@ -196,11 +196,11 @@ Case framed(Random& random, const Polygon& a, const Polygon& b, const Pose& pose
 Case crateInCorner(Random& random) {
   const Polygon shapes[] = {Polygon(Ring{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}),
                             Polygon(Ring{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}),
-                            Polygon(comb(3, 4, 1, 3)), box(10, 10).complement()};
+                            Polygon(comb(3, 4, 1, 3)), Polygon::box(10, 10).complement()};
   const Vec2 corners[] = {{1, 1}, {1, 1}, {1, 0}, {-5, -5}};
   const int kind = random.integer(0, 3);
   const Vec2 at = corners[kind] + Vec2(0.75 - (random.coin() ? little(random) : -random.unit()), 0.5 - little(random));
-  return framed(random, shapes[kind], random.coin() ? box(1.5, 1) : Polygon({regular(6, 0.75)}),
+  return framed(random, shapes[kind], random.coin() ? Polygon::box(1.5, 1) : Polygon({regular(6, 0.75)}),
                 turnedAndMoved(random.oneIn(3) ? random.real(-0.001, 0.001) : 0, at.x(), at.y()));
 }
 
@@ -225,7 +225,7 @@ Case thinThroughThick(Random& random) {
   const Polygon thick({random.coin() ? star(random, random.integer(4, 9), 0.5, 1.5) : rectangle(-2, -1, 2, 1)});
   switch (random.integer(0, 3)) {
     case 0:
-      return framed(random, thick, point(end()), turnedAndMoved(0, 0, 0));
+      return framed(random, thick, Polygon::point(end()), turnedAndMoved(0, 0, 0));
     case 1:
       return framed(random, thick, Polygon({rectangle(-4, -little(random), 4, 0.001)}), randomPose(random, 1));
     case 2: {
@@ -233,7 +233,7 @@ Case thinThroughThick(Random& random) {
       return framed(random, thick, Polygon({{p, end(), end(), p, end(), p}}), turnedAndMoved(0, 0, 0));
     }
     default:
-      return framed(random, thick, segment(end(), end()), turnedAndMoved(0, 0, 0));
+      return framed(random, thick, Polygon::segment(end(), end()), turnedAndMoved(0, 0, 0));
   }
 }
 
@@ -267,7 +267,7 @@ Case edgesUsedTwice(Random& random) {
 Case flatContacts(Random& random) {
   Ring floor{{-6, -2}, {6, -2}};
   for (int i = random.integer(1, 12), n = i; i >= 0; --i) floor.emplace_back(-6 + 12.0 * i / n, 0);
-  const Polygon crate = random.coin() ? box(2, 1) : Polygon(comb(3, 1, 0.25, 0.5));
+  const Polygon crate = random.coin() ? Polygon::box(2, 1) : Polygon(comb(3, 1, 0.25, 0.5));
   const double bottom = crate.bounds().min().y();
   return framed(
       random, Polygon(floor), crate,
@@ -288,10 +288,10 @@ Case besideComplements(Random& random) {
     try {
       return polygon.complement();
     } catch (const std::invalid_argument&) {
-      return box(3, 2).complement();
+      return Polygon::box(3, 2).complement();
     }
   };
-  if (random.oneIn(3)) return {random.coin() ? c.a : c.b, c.pose_a, box(9, 4).complement(), c.pose_b};
+  if (random.oneIn(3)) return {random.coin() ? c.a : c.b, c.pose_a, Polygon::box(9, 4).complement(), c.pose_b};
   return random.coin() ? Case{outside(c.a), c.pose_a, c.b, c.pose_b} : Case{c.a, c.pose_a, outside(c.b), c.pose_b};
 }
 

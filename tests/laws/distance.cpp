@@ -19,7 +19,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 
 namespace tricover::laws {
@@ -123,7 +123,7 @@ Case besideAnEnd(Random& random) {
   const Pose pose_b = randomPose(random, 1);
   Pose pose_a = pose_b;
   pose_a.translation() = pose_b * Vec2(past, -random.real(0.1, 1));
-  return {Polygon({{{0, 0}, {-size, -size}, {size, -0.7 * size}}}), pose_a, segment({0, 0}, {1, 0}), pose_b};
+  return {Polygon({{{0, 0}, {-size, -size}, {size, -0.7 * size}}}), pose_a, Polygon::segment({0, 0}, {1, 0}), pose_b};
 }
 
 std::string wrongNormal(Random&, Tally& tally, Case& c) {

@@ -11,7 +11,7 @@
 #include "exact_shifts.h"
 #include "families.h"
 #include "shapes.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover {
 namespace {
@@ -65,18 +65,18 @@ TEST(ExactLocate, BowTieRegionsWithoutInsideAndVerticesOnTheRay) {
 
 TEST(ExactCollide, TouchingIsCollidingAndOneUlpIsNot) {
   const Polygon a({square(0, 1)});
-  EXPECT_TRUE(collide(a, a, pose(1, 0)));
-  EXPECT_TRUE(collide(a, a, pose(1, 1)));
-  EXPECT_FALSE(collide(a, a, pose(std::nextafter(1, 2), 0)));
-  EXPECT_FALSE(collide(a, a, pose(0, -std::nextafter(1, 2))));
-  EXPECT_TRUE(collide(a, a, pose(0, -std::nextafter(1, 0))));
+  EXPECT_TRUE(collide(a, a, poseAt(1, 0)));
+  EXPECT_TRUE(collide(a, a, poseAt(1, 1)));
+  EXPECT_FALSE(collide(a, a, poseAt(std::nextafter(1, 2), 0)));
+  EXPECT_FALSE(collide(a, a, poseAt(0, -std::nextafter(1, 2))));
+  EXPECT_TRUE(collide(a, a, poseAt(0, -std::nextafter(1, 0))));
 }
 
 TEST(ExactCollide, ThePoseIsTheAffineMapAsWrittenNotARoundedOne) {
   // 1e16 + 1 is no double, yet that is where the vertex is.
   const Polygon a({{{0, 0}, {1, 0}, {0, 1}}}), point_like({{{0, 0}, {1, -1}, {2, -1}}});
-  Pose far = pose(1e16, 0);
-  EXPECT_TRUE(exact::collide(a, far, point_like, pose(1e16, 0)));
+  Pose far = poseAt(1e16, 0);
+  EXPECT_TRUE(exact::collide(a, far, point_like, poseAt(1e16, 0)));
   const Polygon beyond({{{1, 0}, {2, -1}, {2, 1}}}), farther({{{std::nextafter(1, 2), 0}, {2, -1}, {2, 1}}});
   EXPECT_TRUE(exact::collide(a, far, beyond, far));
   EXPECT_FALSE(exact::collide(a, far, farther, far));
@@ -92,7 +92,7 @@ TEST(ExactCollide, ContainmentHolesAndRegionsInThem) {
   const Polygon block({square(0, 10)}), frame({square(0, 10), square(2, 8)}), small({square(4, 5)});
   EXPECT_TRUE(collide(block, small));
   EXPECT_FALSE(collide(frame, small));
-  EXPECT_TRUE(collide(frame, small, pose(3, 0)));
+  EXPECT_TRUE(collide(frame, small, poseAt(3, 0)));
   EXPECT_TRUE(collide(Polygon({square(0, 10), square(2, 8), square(3, 7)}), small));
   EXPECT_FALSE(collide(frame, Polygon({square(-5, 15), square(-1, 11)})));
 }
@@ -100,25 +100,25 @@ TEST(ExactCollide, ContainmentHolesAndRegionsInThem) {
 TEST(ExactCollide, CollinearEdgesAndSinglePoints) {
   const Polygon a({square(0, 2)}), needle({{{2, 1}, {2, 5}, {2, 3}}}), dot({{{1, 2}, {1, 2}, {1, 2}}});
   EXPECT_TRUE(collide(a, needle));
-  EXPECT_FALSE(collide(a, needle, pose(0, std::nextafter(1, 2))));
+  EXPECT_FALSE(collide(a, needle, poseAt(0, std::nextafter(1, 2))));
   EXPECT_TRUE(collide(a, dot));
-  EXPECT_TRUE(collide(a, dot, pose(0, -1)));
-  EXPECT_FALSE(collide(a, dot, pose(0, kTiny)));
+  EXPECT_TRUE(collide(a, dot, poseAt(0, -1)));
+  EXPECT_FALSE(collide(a, dot, poseAt(0, kTiny)));
   EXPECT_TRUE(collide(dot, dot));
 }
 
 TEST(ExactCollide, EveryExponent) {
   const Polygon huge({{{0, 0}, {kHuge, 0}, {0, kHuge}}}), tiny({{{0, -kTiny}, {kTiny, -kTiny}, {0, 0}}});
   EXPECT_TRUE(collide(huge, tiny));
-  EXPECT_FALSE(collide(huge, tiny, pose(0, -kTiny)));
-  EXPECT_TRUE(collide(huge, tiny, pose(kHuge, 0)));
-  EXPECT_FALSE(collide(huge, tiny, pose(kHuge, kTiny * 2)));
+  EXPECT_FALSE(collide(huge, tiny, poseAt(0, -kTiny)));
+  EXPECT_TRUE(collide(huge, tiny, poseAt(kHuge, 0)));
+  EXPECT_FALSE(collide(huge, tiny, poseAt(kHuge, kTiny * 2)));
 }
 
 TEST(ExactDistance, BetweenVerticesToAnEdgeAndAsADouble) {
   const Polygon a({square(0, 1)});
-  EXPECT_EQ(exact::distanceSquared(a, Pose::Identity(), a, pose(4, 5)), 25);
-  EXPECT_EQ(exact::distanceSquared(a, Pose::Identity(), a, pose(4, 0.5)), 9);
+  EXPECT_EQ(exact::distanceSquared(a, Pose::Identity(), a, poseAt(4, 5)), 25);
+  EXPECT_EQ(exact::distanceSquared(a, Pose::Identity(), a, poseAt(4, 0.5)), 9);
   EXPECT_EQ(exact::distanceSquared({0, 0}, {1, 0}, {0, 1}), mpq_class(1, 2));
   EXPECT_EQ(exact::distanceSquared({5, 1}, {1, 1}, {1, 1}), 16);
   EXPECT_EQ(exact::distanceSquared({0, 0}, {kTiny, 0}, {1, 0}), mpq_class(kTiny) * kTiny);
@@ -141,13 +141,13 @@ TEST(ExactDepth, OfClosedForms) {
   EXPECT_NEAR(double(exact::excess(line_a, here, line_b, here).low), 910 / 19.0, 1e-14);
   EXPECT_NEAR(double(exact::excessByCandidates(line_a, here, line_b, here)), 910 / 19.0, 1e-14);
   EXPECT_NEAR(double(exact::excess(a, here, b, here).low), std::sqrt(500), 1e-14);
-  EXPECT_TRUE(isAbout(exact::depth(box(2, 2), here, box(2, 2), pose(1.5, 0)), 0.5));
-  EXPECT_TRUE(isAbout(exact::depth(box(2, 2), here, box(2, 2), pose(2, 0)), 0));
-  EXPECT_TRUE(isAbout(exact::depth(box(4, 2), here, segment({0, 0.5}, {3, -1.5}), here), 1));
-  EXPECT_TRUE(isAbout(exact::depth(box(4, 2), here, point({0, 0.5}), here), 0.5));
-  EXPECT_TRUE(isAbout(exact::depth(box(4, 2).complement(), here, box(1, 1), pose(2, 1)), std::sqrt(0.5)));
+  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(2, 2), here, Polygon::box(2, 2), poseAt(1.5, 0)), 0.5));
+  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(2, 2), here, Polygon::box(2, 2), poseAt(2, 0)), 0));
+  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2), here, Polygon::segment({0, 0.5}, {3, -1.5}), here), 1));
+  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2), here, Polygon::point({0, 0.5}), here), 0.5));
+  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2).complement(), here, Polygon::box(1, 1), poseAt(2, 1)), std::sqrt(0.5)));
   const Polygon hole({support::regular(64, 4), support::regular(64, 3)});
-  const exact::Bracket tied = exact::excess(box(1, 1), here, hole, here);
+  const exact::Bracket tied = exact::excess(Polygon::box(1, 1), here, hole, here);
   EXPECT_NEAR(double(tied.low), 3 * std::cos(M_PI / 64), 1e-14);
   EXPECT_LE(tied.high - tied.low, 1e-15);
 }
@@ -166,7 +166,7 @@ TEST(ExactShifts, AreIntervalsByHand) {
   EXPECT_EQ(times[0].end, mpq_class(1, 8));
   EXPECT_EQ(times[1].begin, mpq_class(3, 8));
   EXPECT_EQ(times[1].end, 1);
-  c = {point({0, 0}), {}, point({0, 0}), Motion::translation(tricover::pose(-5, 3), {10, 0})};
+  c = {Polygon::point({0, 0}), {}, Polygon::point({0, 0}), Motion::translation(tricover::poseAt(-5, 3), {10, 0})};
   times = contacts(5);
   ASSERT_EQ(times.size(), 1u);
   EXPECT_EQ(times[0].begin, mpq_class(1, 10));
@@ -176,8 +176,8 @@ TEST(ExactShifts, AreIntervalsByHand) {
   // Held all of the time; and in a hole.
   c = {Polygon({support::rectangle(-9, -9, 9, 9), support::rectangle(-3, -3, 3, 3)}),
        {},
-       box(1, 1),
-       Motion::still(tricover::pose(6, 0))};
+       Polygon::box(1, 1),
+       Motion::still(tricover::poseAt(6, 0))};
   ASSERT_EQ(contacts(0).size(), 1u);
   EXPECT_EQ(contacts(0)[0].end, 1);
   c.motion_b = Motion::translation(Pose::Identity(), {5, 0});

@@ -19,7 +19,7 @@
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 #include "workloads.h"
 
@@ -57,7 +57,7 @@ Polygon anyPolygon(Random& random) {
 
 /// From `start`, on the whole by `way`, any way round.
 Motion anySpline(Random& random, const Pose& start, const Vec2& way, const Polygon& polygon) {
-  const Vec2 pivot = random.coin() ? Vec2::Zero() : polygon.origin();
+  const Vec2 pivot = random.coin() ? Vec2::Zero() : polygon.coveringOrigin();
   const auto velocity = [&] {
     return random.oneIn(4) ? Vec2(Vec2::Zero()) : Vec2(way + Vec2(random.real(-300, 300), random.real(-300, 300)));
   };
@@ -89,7 +89,7 @@ Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& po
     const Pose end = random.oneIn(8) ? start : turnedAndMoved(random.real(-3, 3), 0, 0) * start;
     Pose there = end;
     there.translation() = start.translation() + motion.shift;
-    return Motion::between(start, there, random.coin() ? Vec2::Zero() : polygon.origin());
+    return Motion::between(start, there, random.coin() ? Vec2::Zero() : polygon.coveringOrigin());
   }
   if (kind == Kind::Spline) return anySpline(random, start, motion.shift, polygon);
   if (random.coin()) motion.pivot = Vec2(random.real(-100, 100), random.real(-100, 100));
@@ -101,8 +101,8 @@ Motion anyMotion(Random& random, Kind kind, const Pose& start, const Polygon& po
 /// A point or a segment, with its frame's origin on it or not.
 Polygon anyDegenerate(Random& random) {
   const Vec2 p = random.coin() ? Vec2(Vec2::Zero()) : Vec2(random.real(-40, 40), random.real(-40, 40));
-  if (!random.oneIn(3)) return point(p);
-  return segment(p, p + Vec2(random.real(-60, 60), random.real(-60, 60)));
+  if (!random.oneIn(3)) return Polygon::point(p);
+  return Polygon::segment(p, p + Vec2(random.real(-60, 60), random.real(-60, 60)));
 }
 
 MovingCase flightOf(Random& random, Kind kind) {
@@ -126,7 +126,7 @@ bool collideAt(const MovingCase& f, double time, double margin) {
 /// The lengths that rounding is relative to.
 double sizeOf(const MovingCase& f) {
   const auto size = [](const Polygon& polygon, const Motion& motion) {
-    const double reach = polygon.radius() + (polygon.origin() - motion.pivot).norm();
+    const double reach = polygon.radius() + (polygon.coveringOrigin() - motion.pivot).norm();
     const double turn = std::abs(motion.angle) + std::abs(motion.angle_2) + std::abs(motion.angle_3);
     return (1 + turn) * reach + motion.shift.norm() + motion.shift_2.norm() + motion.shift_3.norm() +
            motion.start.translation().norm();
@@ -262,7 +262,7 @@ double smallOf(const MovingCase& f) {
 double speedOf(const Polygon& p, const Motion& m) {
   const double turn = std::abs(m.angle) + std::abs(m.angle_2) + std::abs(m.angle_3);
   return m.shift.stableNorm() + 2 * m.shift_2.stableNorm() + 3 * m.shift_3.stableNorm() +
-         3 * turn * (p.radius() + (p.origin() - m.pivot).stableNorm());
+         3 * turn * (p.radius() + (p.coveringOrigin() - m.pivot).stableNorm());
 }
 
 Case at(const MovingCase& f, double time) { return {f.a, f.motion_a.at(time), f.b, f.motion_b.at(time)}; }

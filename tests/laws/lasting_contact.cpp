@@ -15,7 +15,7 @@
 #include "shapes.h"
 #include "tricover/conflicts.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -73,7 +73,7 @@ Case caseAt(const MovingCase& c, double time) { return {c.a, c.motion_a.at(time)
 /// No point of one moves faster against the other one.
 double speedOf(const MovingCase& c) {
   const auto speed = [](const Polygon& p, const Motion& m) {
-    const double reach = p.radius() + (p.origin() - m.pivot).stableNorm();
+    const double reach = p.radius() + (p.coveringOrigin() - m.pivot).stableNorm();
     return m.shift.stableNorm() + 2 * m.shift_2.stableNorm() + 3 * m.shift_3.stableNorm() +
            (std::abs(m.angle) + 2 * std::abs(m.angle_2) + 3 * std::abs(m.angle_3)) * reach;
   };
@@ -83,7 +83,7 @@ double speedOf(const MovingCase& c) {
 Polygon anyOnGrid(Random& random) {
   switch (random.integer(0, 6)) {
     case 0:
-      return random.coin() ? segment({-2, 0}, {2, 0}) : point({0, 0});
+      return random.coin() ? Polygon::segment({-2, 0}, {2, 0}) : Polygon::point({0, 0});
     case 1: {
       Ring ring = star(random, random.integer(3, 8), 1, 4);
       for (Vec2& v : ring) v = v.array().round();

@@ -14,7 +14,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/distance.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::laws {
@@ -28,7 +28,7 @@ void lower(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& p
   for (const Ring& ring : b.rings())
     for (const Vec2& vertex : ring) {
       const Vec2 at = pose_b * vertex;
-      const mpq_class squared = exact::distanceSquared(a, pose_a, segment(at, at + by), Pose::Identity());
+      const mpq_class squared = exact::distanceSquared(a, pose_a, Polygon::segment(at, at + by), Pose::Identity());
       if (sgn(least) < 0 || squared < least) least = squared;
     }
 }
@@ -119,7 +119,7 @@ LeastDistanceOptions anyOptions(Random& random) {
 /// Vertices, starts and shifts on a grid: sums are exact.
 MovingCase onGrid(Random& random) {
   const auto polygon = [&] {
-    if (random.oneIn(6)) return point({0, 0});
+    if (random.oneIn(6)) return Polygon::point({0, 0});
     Ring ring = star(random, random.integer(3, 8), 1, 4);
     for (Vec2& v : ring) v = v.array().round();
     return random.coin() ? Polygon({rectangle(-random.integer(1, 3), -random.integer(1, 3), 2, 1)}) : Polygon({ring});
@@ -132,7 +132,7 @@ MovingCase onGrid(Random& random) {
   if (random.oneIn(3)) by[random.integer(0, 1)] = 0;
   const Vec2 of_a = random.coin() ? Vec2(Vec2::Zero()) : anywhere(4);
   return {polygon(), Motion::translation(Pose::Identity(), of_a), polygon(),
-          Motion::translation(tricover::pose(from.x(), from.y()), by + of_a)};
+          Motion::translation(tricover::poseAt(from.x(), from.y()), by + of_a)};
 }
 
 std::string told(const LeastDistance& found, const LeastDistanceOptions& options) {
@@ -167,7 +167,7 @@ std::string wrongShifts(Random& random, Tally& tally) {
 
 std::string wrongMotions(Random& random, Tally& tally) {
   const auto polygon = [&] {
-    if (random.oneIn(8)) return random.coin() ? point({0, 0}) : segment({-1, 0}, {1, 0.5});
+    if (random.oneIn(8)) return random.coin() ? Polygon::point({0, 0}) : Polygon::segment({-1, 0}, {1, 0.5});
     return random.coin() ? Polygon({anyConvex(random, 1, 20)}) : Polygon({star(random, random.integer(4, 20), 0.3, 1)});
   };
   const Polygon a = polygon(), b = polygon();
@@ -182,7 +182,7 @@ std::string wrongMotions(Random& random, Tally& tally) {
 /// Bodies that may come later, leave sooner, or never be there together.
 std::string wrongPlans(Random& random, Tally& tally) {
   const auto polygon = [&] {
-    return random.oneIn(8) ? segment({-1, 0}, {1, 0.5}) : Polygon({star(random, random.integer(3, 20), 0.1, 0.4)});
+    return random.oneIn(8) ? Polygon::segment({-1, 0}, {1, 0.5}) : Polygon({star(random, random.integer(3, 20), 0.1, 0.4)});
   };
   const Polygon a = polygon(), b = polygon();
   const Trajectory of_a = anyPlan(random), of_b = anyPlan(random);

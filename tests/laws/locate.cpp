@@ -27,7 +27,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 Vec2 anyPoint(Random& random, const Polygon& polygon) {
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   const EdgeIndex edge = anyEdge(random, polygon);
-  const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.origin();
+  const Vec2 v = polygon.edgeStart(edge), w = polygon.edgeEnd(edge), s = polygon.coveringOrigin();
   const int ulps = random.integer(0, 2);
   switch (random.integer(0, 11)) {
     case 0:
@@ -78,7 +78,7 @@ std::string wrongAlong(Random& random, Tally& tally, const Polygon& polygon, int
     if (point.allFinite())
       wrong = wrongAt(polygon, point, tally);
     else
-      point = polygon.origin();
+      point = polygon.coveringOrigin();
   }
   return wrong;
 }
@@ -105,6 +105,32 @@ std::string wrongInRows(Random& random, Tally& tally) {
 
   // After the first few the hierarchy is there.
   return wrongAlong(random, tally, polygon, 72);
+}
+
+/// In the world: the point is rounded there, so that few are on an edge but where poses are quarter turns.
+std::string wrongInTheWorld(Random& random, Tally& tally) {
+  Ring ring = star(random, random.integer(3, 24), 1, 4);
+  const bool on_grid = random.coin();
+  if (on_grid)
+    for (Vec2& p : ring) p = p.array().round();
+  const Polygon polygon({ring});
+  const double far = random.oneIn(3) ? std::pow(10, random.real(0, 15)) : 4;
+  const Pose pose = on_grid ? poseAt(random.integer(-9, 9), random.integer(-9, 9), random.integer(-4, 4) * M_PI / 2)
+                            : randomPose(random, far);
+  const Vec2 point = pose * (on_grid ? Vec2(random.integer(-4, 4), random.integer(-4, 4)) : anyPoint(random, polygon));
+  if (!point.allFinite()) return {};
+  const Polygon there = Polygon::point(point);
+  const Pose world = Pose::Identity();
+  bool on_edge = false;
+  for (EdgeIndex edge = 0; edge < polygon.edgeCount() && !on_edge; ++edge)
+    on_edge = exact::collide(Polygon::segment(polygon.edgeStart(edge), polygon.edgeEnd(edge)), pose, there, world);
+  const Location truth = on_edge                                         ? Location::Boundary
+                         : Reference(Case{polygon, pose, there, world}).collide() ? Location::Inside
+                                                                                  : Location::Outside;
+  tally.count("outside", truth == Location::Outside);
+  tally.count("boundary", truth == Location::Boundary);
+  tally.count("inside", truth == Location::Inside);
+  return locate(polygon, pose, point) == truth ? "" : "location of " + reproduction({polygon, pose, there, world});
 }
 
 /// Of so many edges that there is a field, once all is derived or enough points have been asked.
@@ -154,6 +180,7 @@ Shares sharesOf(double boundary) {
 
 Laws locateLaws() {
   Laws laws = {{"rows", 120, wrongInRows, sharesOf(0.05)},
+               {"in_the_world", 3000, wrongInTheWorld, sharesOf(0.02)},
                {"many", 200, wrongOfMany, sharesOf(0.05)},
                {"speckles", 300, wrongOfSpeckles, sharesOf(0.05)},
                {"fill_rules", 1, wrongOfAnotherRule, {}}};

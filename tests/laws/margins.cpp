@@ -17,7 +17,7 @@
 #include "shapes.h"
 #include "strategies.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -39,11 +39,11 @@ Vec2 placeNear(Random& random, const Polygon& polygon) {
     case 2:
       return nudged(random, 0.5 * v + 0.5 * w, 2);
     case 3:
-      return 0.25 * v + 0.75 * polygon.origin();
+      return 0.25 * v + 0.75 * polygon.coveringOrigin();
     case 4:
-      return polygon.origin();
+      return polygon.coveringOrigin();
     default: {
-      const Vec2 p = polygon.origin() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
+      const Vec2 p = polygon.coveringOrigin() + size * Vec2(random.real(-2, 2), random.real(-2, 2));
       return p.allFinite() ? p : v;
     }
   }
@@ -53,7 +53,7 @@ Vec2 placeNear(Random& random, const Polygon& polygon) {
 Case withDegenerate(Random& random, const Case& c) {
   const auto degenerateNear = [&](const Polygon& polygon) {
     const Vec2 p = placeNear(random, polygon);
-    return random.coin() ? point(p) : segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
+    return random.coin() ? Polygon::point(p) : Polygon::segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
   };
   const Polygon degenerate = degenerateNear(c.a);
   const Pose& pose = random.coin() ? c.pose_a : c.pose_b;
@@ -119,7 +119,7 @@ std::string wrong(Random& random, Tally& tally, Case& c) {
 Case farPoints(Random& random) {
   const auto farPoint = [&] { return Vec2(random.real(-1e6, 1e6), random.real(-1e6, 1e6)); };
   const Vec2 p = farPoint(), q = farPoint();
-  Case c{point(p), randomPose(random, 1e6), point(q), randomPose(random, 1)};
+  Case c{Polygon::point(p), randomPose(random, 1e6), Polygon::point(q), randomPose(random, 1)};
   c.pose_b.translation() += c.pose_a * p - c.pose_b.linear() * q;
   return c;
 }
@@ -128,10 +128,10 @@ std::string wrongOfPoints(Random& random, Tally& tally, Case& c) { return wrongA
 
 /// A point beside a polygon of many edges: what doubles find is a last bit above the truth here and there.
 Case pointBesideMany(Random& random) {
-  Case c{Polygon({regular(40, 1)}), turnedAndMoved(random.real(-3, 3), 0, 0), point({6, 5}),
+  Case c{Polygon({regular(40, 1)}), turnedAndMoved(random.real(-3, 3), 0, 0), Polygon::point({6, 5}),
          turnedAndMoved(random.real(-3, 3), 0, 0)};
   const Vec2 at(random.real(2, 3), random.real(2, 3));
-  c.pose_b.translation() = at - c.pose_b * c.b.origin();
+  c.pose_b.translation() = at - c.pose_b * c.b.coveringOrigin();
   return c;
 }
 

@@ -14,7 +14,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "touching_families.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "workloads.h"
 
 namespace tricover::laws {
@@ -161,7 +161,7 @@ bool isNear(Random& random, const Polygon& polygon, const Polygon& other, double
   const Pose here = Pose::Identity();
   const auto is_near = [&](const Vec2& p) {
     return exact::locate(polygon, p) == Location::Outside ||
-           exact::within(exact::distanceSquared(point(p), here, other, here), mpq_class(tolerance));
+           exact::within(exact::distanceSquared(Polygon::point(p), here, other, here), mpq_class(tolerance));
   };
   const Eigen::AlignedBox2d box = polygon.bounds();
   for (int i = 0; i < 8; ++i) {
@@ -252,14 +252,14 @@ std::string wrongTolerance(Random&, Tally&) {
 /// vertices make the same polygon, bit for bit.
 std::string wrongDisc(Random&, Tally& tally, Case& c) {
   for (const Polygon& polygon : {c.a, c.b}) {
-    const Vec2 s = polygon.origin();
+    const Vec2 s = polygon.coveringOrigin();
     mpq_class farthest = 0;
     for (const Ring& ring : polygon.rings())
       for (const Vec2& v : ring) farthest = std::max(farthest, exact::distanceSquared(v, s, s));
     if (!polygon.bounds().contains(s)) return "the disc's centre";
     const Ring& ring = polygon.rings().back();
     const Polygon by_ring({ring}, polygon.fillRule()), raw(ring.data(), ring.size(), polygon.fillRule());
-    if (raw.rings() != by_ring.rings() || raw.fillRule() != polygon.fillRule() || raw.origin() != by_ring.origin() ||
+    if (raw.rings() != by_ring.rings() || raw.fillRule() != polygon.fillRule() || raw.coveringOrigin() != by_ring.coveringOrigin() ||
         raw.radius() != by_ring.radius())
       return "a ring's raw vertices";
     tally.count("finite", std::isfinite(polygon.radius()));

@@ -260,7 +260,7 @@ Case smallAmongManyRings(Random& random) {
 
 Case pushed(Random& random, Case c) {
   if (random.coin()) return c;
-  const Vec2 way = c.pose_a * c.a.origin() - c.pose_b * c.b.origin();
+  const Vec2 way = c.pose_a * c.a.coveringOrigin() - c.pose_b * c.b.coveringOrigin();
   const double length = way.stableNorm();
   if (!(length > 0) || !std::isfinite(length)) return c;
   const double left = random.oneIn(4) ? 0 : std::min({smallerRadius(c), length, 1e300}) * random.unit();
@@ -291,7 +291,7 @@ Motion anyMotion(Random& random, const Polygon& polygon, const Pose& pose, doubl
   motion.shift = way();
   if (random.coin()) {
     motion.angle = random.real(-1, 1) * (random.oneIn(4) ? 30 : 3);
-    motion.pivot = random.coin() ? polygon.origin() : random.coin() ? Vec2(Vec2::Zero()) : way();
+    motion.pivot = random.coin() ? polygon.coveringOrigin() : random.coin() ? Vec2(Vec2::Zero()) : way();
     if (random.oneIn(4)) motion.shift.setZero();
   }
   if (random.oneIn(4)) {

@@ -17,7 +17,7 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -37,7 +37,7 @@ std::string wrongOf(const Polygon& polygon, const Pose& pose, const Ray& ray, Ta
   std::string wrong;
   if (hit.has_value() != truth.has_value())
     wrong = "hit or not";
-  else if (collide(polygon, pose, segment(ray.from, ray.to), Pose::Identity()) != hit.has_value())
+  else if (collide(polygon, pose, Polygon::segment(ray.from, ray.to), Pose::Identity()) != hit.has_value())
     wrong = "collide";
   else if (hit)
     wrong = wrongHit(polygon, pose, ray, *hit, *truth);
@@ -48,7 +48,7 @@ std::string wrongOf(const Polygon& polygon, const Pose& pose, const Ray& ray, Ta
   if (wrong.empty()) return wrong;
   return wrong + ", hit " + std::to_string(hit ? hit->edge : -2) + " at " + hex(hit ? hit->fraction : -1) + ", truth " +
          std::to_string(truth ? truth->edge : -2) + " at " + hex(truth ? truth->fraction.get_d() : -1) +
-         ", the ray is b's edge 0\n" + reproduction({polygon, pose, segment(ray.from, ray.to), Pose::Identity()});
+         ", the ray is b's edge 0\n" + reproduction({polygon, pose, Polygon::segment(ray.from, ray.to), Pose::Identity()});
 }
 
 std::string wrong(Random& random, Tally& tally, Case& c) {
@@ -65,7 +65,7 @@ std::string wrongAtThin(Random& random, Tally& tally) {
   const auto grid = [&] { return Vec2(random.integer(-3, 3), random.integer(-3, 3)); };
   const Vec2 p = grid(), q = grid();
   const int kind = random.integer(0, 2);
-  const Polygon polygon = kind == 0 ? point(p) : kind == 1 ? segment(p, q) : Polygon({{p, q, p, grid()}, {p, p, q}});
+  const Polygon polygon = kind == 0 ? Polygon::point(p) : kind == 1 ? Polygon::segment(p, q) : Polygon({{p, q, p, grid()}, {p, p, q}});
   Pose placed =
       random.coin() ? Pose::Identity() : turnedAndMoved(random.integer(0, 3) * M_PI / 2, random.integer(-2, 2), 1);
   if (random.oneIn(3)) placed = mirrored(distorted(random, placed));
@@ -89,7 +89,7 @@ std::string wrongWithMargin(Random& random, Tally& tally) {
                 first->edge != parts[0].begin.edge))
     return "the first begin";
   const auto isWithin = [&](const Vec2& p, double by) {
-    return collide(point(p), Pose::Identity(), polygon, placed, {margin + by, 0});
+    return collide(Polygon::point(p), Pose::Identity(), polygon, placed, {margin + by, 0});
   };
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const RayHit &begin = parts[k].begin, &end = parts[k].end;

@@ -12,7 +12,7 @@
 #include "scene_walk.h"
 #include "shapes.h"
 #include "touching_families.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -55,7 +55,7 @@ std::string wrongCrowd(Random& random, Tally& tally) {
   std::vector<Case> cases;
   for (int i = 0; i < 6; ++i) {
     const Ring ring = i % 2 == 0 ? star(random, 5 + 6 * i, 0.4, 1.2) : regular(4 + i, 1);
-    const Polygon other = i < 2 ? point({0, 0}) : i < 4 ? segment({-unit, 0}, {unit, 0}) : cases[0].a;
+    const Polygon other = i < 2 ? Polygon::point({0, 0}) : i < 4 ? Polygon::segment({-unit, 0}, {unit, 0}) : cases[0].a;
     cases.push_back({Polygon({scaled(ring, unit * (i == 5 ? 8 : 1))}), place(), other, place()});
   }
   const bool is_slow = unit > 1e300;  // where doubles overflow every sign is found exactly

@@ -7,7 +7,7 @@
 #include "pairs.h"
 #include "touching_families.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::laws {
 namespace {
@@ -33,10 +33,10 @@ std::string wrongWithoutArea(Random&, Tally&) {
   const Polygon square({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
   // In a corner, where no discs inside meet; it touches by its spike alone, where its ring begins.
   const Polygon aerial({{{0.5, 9}, {0.5, 8.75}, {0.25, 8.75}, {0.25, 8.25}, {0.75, 8.25}, {0.75, 8.75}, {0.5, 8.75}}});
-  const bool right = collide(square, here, aerial, here, open) && collide(square, here, point({4, 4}), here, open) &&
-                     collide(square, here, segment({-1, 4}, {4, 4}), here, open) &&
-                     !collide(square, here, segment({-1, 9}, {4, 9}), here, open) &&
-                     collide(square, here, point({4, 4}), here, CollideOptions{0.5, 0, Touching::Allowed});
+  const bool right = collide(square, here, aerial, here, open) && collide(square, here, Polygon::point({4, 4}), here, open) &&
+                     collide(square, here, Polygon::segment({-1, 4}, {4, 4}), here, open) &&
+                     !collide(square, here, Polygon::segment({-1, 9}, {4, 9}), here, open) &&
+                     collide(square, here, Polygon::point({4, 4}), here, CollideOptions{0.5, 0, Touching::Allowed});
   return right ? "" : "what has no area leads inside, or has no interior";
 }
 

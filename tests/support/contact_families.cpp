@@ -127,7 +127,7 @@ Case vertexOnEdge(Random& random) {
 Case vertexOnVertex(Random& random) {
   const Polygon a({random.coin() ? regular(random.integer(3, 7), 1) : anyRing(random)});
   const Pose pose_a = anyPose(random);
-  const Vec2 vertex = a.edgeStart(anyEdge(random, a)), outwards = pose_a.linear() * (vertex - a.origin());
+  const Vec2 vertex = a.edgeStart(anyEdge(random, a)), outwards = pose_a.linear() * (vertex - a.coveringOrigin());
   Pose pose_b = anyPose(random);
   pose_b.translation() = nudged(random, pose_a * vertex, random.integer(0, 2));
   return {a, pose_a, Polygon({wedge(random, pose_b.linear().transpose() * outwards, 0.05)}), pose_b};

@@ -16,7 +16,7 @@
 #include "tricover/collide.h"
 #include "tricover/covers.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 
 namespace tricover::support {
@@ -32,12 +32,12 @@ std::string valued(const std::string& what, double found, double other) {
 }
 
 bool isNear(const Vec2& p, const Polygon& polygon, const Pose& pose, double error) {
-  return exact::within(exact::distanceSquared(polygon, pose, point(p), kHere), mpq_class(error));
+  return exact::within(exact::distanceSquared(polygon, pose, Polygon::point(p), kHere), mpq_class(error));
 }
 
 bool isOnEdge(const Vec2& p, const Polygon& polygon, const Pose& pose, EdgeIndex edge, double error) {
   if (edge < 0 || edge >= polygon.edgeCount()) return false;
-  return isNear(p, segment(polygon.edgeStart(edge), polygon.edgeEnd(edge)), pose, error);
+  return isNear(p, Polygon::segment(polygon.edgeStart(edge), polygon.edgeEnd(edge)), pose, error);
 }
 
 /// With the area on one side at least, or not at all.
@@ -61,8 +61,8 @@ std::string wrongPoints(const Case& c, const Depth& d, double error) {
   const bool is_inner_a = d.is_point_of_a && d.edge_a == -1, is_inner_b = !d.is_point_of_a && d.edge_b == -1;
   if (!is_inner_a && !isOnEdge(d.point_a, c.a, c.pose_a, d.edge_a, error)) return "point_a isn't on edge_a";
   if (!is_inner_b && !isOnEdge(d.point_b, c.b, c.pose_b, d.edge_b, error)) return "point_b isn't on edge_b";
-  const exact::Bracket truth = d.is_point_of_a ? exact::depthIn(point(d.point_a), kHere, c.b, c.pose_b)
-                                               : exact::depthIn(point(d.point_b), kHere, c.a, c.pose_a);
+  const exact::Bracket truth = d.is_point_of_a ? exact::depthIn(Polygon::point(d.point_a), kHere, c.b, c.pose_b)
+                                               : exact::depthIn(Polygon::point(d.point_b), kHere, c.a, c.pose_a);
   return std::abs(truth.low - d.depth) <= error ? ""
                                                 : valued("the deepest point's own depth", d.depth, double(truth.low));
 }
@@ -83,7 +83,7 @@ double depthPrecision(const Case& c) { return rounding(c); }
 
 Case pushedTogether(Random& random, Case c) {
   if (random.coin()) return c;
-  const Vec2 way = c.pose_a * c.a.origin() - c.pose_b * c.b.origin();
+  const Vec2 way = c.pose_a * c.a.coveringOrigin() - c.pose_b * c.b.coveringOrigin();
   const double apart = length(way), smaller = std::min(c.a.radius(), c.b.radius());
   if (!(apart > 0) || !std::isfinite(apart)) return c;
   const double left = random.oneIn(4) ? 0 : std::min({smaller, apart, 1e300}) * random.unit();
@@ -160,7 +160,7 @@ std::string wrongExcess(const Case& c, const Excess& found) {
   if (!isNear(found.nearest, c.b, c.pose_b, error)) return "the nearest point isn't in the area";
   if (found.edge != -1 && !isOnEdge(found.point, c.a, c.pose_a, found.edge, error)) return "edge";
   if (!isOnEdge(found.nearest, c.b, c.pose_b, found.nearest_edge, error)) return "nearest_edge";
-  const exact::Bracket own = exact::excess(point(found.point), kHere, c.b, c.pose_b);
+  const exact::Bracket own = exact::excess(Polygon::point(found.point), kHere, c.b, c.pose_b);
   return std::abs(own.low - found.distance) <= error
              ? ""
              : valued("the point's own distance", found.distance, double(own.low));
@@ -174,7 +174,7 @@ std::string wrongBesideOthers(Random& random, const Case& c, const Excess& found
   if (std::isinf(found.distance)) return "";
   const double error = 2 * depthPrecision(c);
   const EdgeIndex edge = anyEdge(random, c.a);
-  const double of_edge = excess(segment(c.a.edgeStart(edge), c.a.edgeEnd(edge)), c.pose_a, c.b, c.pose_b).distance;
+  const double of_edge = excess(Polygon::segment(c.a.edgeStart(edge), c.a.edgeEnd(edge)), c.pose_a, c.b, c.pose_b).distance;
   if (!(of_edge <= found.distance + error)) return valued("less than an edge's", found.distance, of_edge);
   // a, b, and a elsewhere.
   Case moved = c;

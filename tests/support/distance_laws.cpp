@@ -11,7 +11,7 @@
 #include "reproduction.h"
 #include "tricover/collide.h"
 #include "tricover/depth.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 
 namespace tricover::support {
@@ -152,7 +152,7 @@ std::string wrongSignedDistance(const Case& c, double margin) {
       if (way.allFinite() && (w - v).stableNorm() > error &&
           !(std::abs(way.x() * off.y() - way.y() * off.x()) <= error))
         return "signed: the touch isn't where the edge leads";
-      if (!(exact::distanceSquared(*polygon, *pose, point(s.point_a), Pose::Identity()) <= mpq_class(error) * error))
+      if (!(exact::distanceSquared(*polygon, *pose, Polygon::point(s.point_a), Pose::Identity()) <= mpq_class(error) * error))
         return "signed: the touch isn't at the polygon";
     }
     return "";

@@ -121,7 +121,7 @@ std::vector<Family> familiesOfAllSizes() {
 }
 
 double lengthOf(const Polygon& polygon, const Motion& m) {
-  const double reach = polygon.radius() + (polygon.origin() - m.pivot).stableNorm();
+  const double reach = polygon.radius() + (polygon.coveringOrigin() - m.pivot).stableNorm();
   return m.shift.stableNorm() + m.shift_2.stableNorm() + m.shift_3.stableNorm() + m.pivot.stableNorm() +
          (1 + std::abs(m.angle) + std::abs(m.angle_2) + std::abs(m.angle_3)) * reach;
 }

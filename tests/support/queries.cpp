@@ -208,7 +208,7 @@ Motion motionOf(const Case& c, double angle) {
   const Vec2 shift = -1.5 * (c.pose_b.translation() - c.pose_a.translation());
   if (shift.allFinite()) motion.shift = shift;
   motion.angle = angle;
-  motion.pivot = c.b.origin();
+  motion.pivot = c.b.coveringOrigin();
   return motion;
 }
 
@@ -263,7 +263,7 @@ Answer askScene(const Case& c, const Question& q) {
 
 /// Of b, from a's origin to a vertex, whichever is asked first.
 Answer askRay(const Case& c, const Question&) {
-  const Vec2 from = c.pose_a * c.a.origin(), to = c.pose_b * c.b.edgeStart(0);
+  const Vec2 from = c.pose_a * c.a.coveringOrigin(), to = c.pose_b * c.b.edgeStart(0);
   Telling telling({});
   if (!from.allFinite() || !to.allFinite()) return telling.done();
   if (const auto hit = castRay(c.b, c.pose_b, from, to))

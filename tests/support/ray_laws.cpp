@@ -12,7 +12,7 @@ namespace {
 /// A point of the world on or about an edge or a vertex, or near S.
 Vec2 nearPoint(Random& random, const Polygon& polygon, const Pose& pose) {
   const EdgeIndex edge = anyEdge(random, polygon);
-  const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge), s = pose * polygon.origin();
+  const Vec2 v = pose * polygon.edgeStart(edge), w = pose * polygon.edgeEnd(edge), s = pose * polygon.coveringOrigin();
   switch (random.integer(0, 4)) {
     case 0:
       return v;
@@ -56,7 +56,7 @@ Ray anyRay(Random& random, const Polygon& polygon, const Pose& pose) {
   const double before = random.integer(0, 12) / 4.0, after = random.integer(-2, 12) / 4.0;
   const int ulps = random.oneIn(3) ? random.integer(1, 2) : 0;
   const Vec2 p = nearPoint(random, polygon, pose), q = random.coin() ? v : nearPoint(random, polygon, pose);
-  const Vec2 outwards = v - pose * polygon.origin();
+  const Vec2 outwards = v - pose * polygon.coveringOrigin();
   switch (random.integer(0, 5)) {
     case 0:  // along an edge
       return {v - before * (w - v), v + after * (w - v)};
@@ -84,7 +84,7 @@ std::string wrongHit(const Polygon& polygon, const Pose& pose, const Ray& ray, c
   if (hit.edge != namedEdge(polygon, static_cast<EdgeIndex>(truth.edge))) return "edge";
   if (!(hit.fraction >= 0 && hit.fraction <= 1) || abs(mpq_class(hit.fraction) - truth.fraction) > mpq_class(1e-14))
     return "fraction";
-  const double size = 2 * polygon.radius() + (pose * polygon.origin() - ray.from).stableNorm();
+  const double size = 2 * polygon.radius() + (pose * polygon.coveringOrigin() - ray.from).stableNorm();
   const double length = (ray.to - ray.from).stableNorm();
   const bool finite = std::isfinite(length) && std::isfinite(size);
   const bool known = finite && length > 1e-290 && size > 1e-10 * ray.from.stableNorm();  // of doubles

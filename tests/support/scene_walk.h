@@ -325,14 +325,14 @@ class SceneWalk {
   }
   Vec2 pointOf(Scene::Body body) {
     const Polygon& polygon = scene_.polygon(body);
-    const Vec2 v = polygon.edgeStart(anyEdge(random_, polygon)), s = polygon.origin();
+    const Vec2 v = polygon.edgeStart(anyEdge(random_, polygon)), s = polygon.coveringOrigin();
     return scene_.pose(body) * (s + random_.integer(0, 8) / 4.0 * (v - s));
   }
 
   Motion anyMotion(const Polygon& polygon, const Pose& start) {
     Motion motion = Motion::still(start);
     const double way = 4 * length(polygon);
-    motion.pivot = polygon.origin();
+    motion.pivot = polygon.coveringOrigin();
     motion.shift = way * Vec2(random_.real(-1, 1), random_.real(-1, 1));
     if (random_.coin()) motion.angle = random_.real(-2, 2);
     if (random_.oneIn(3)) motion.shift_2 = -motion.shift;

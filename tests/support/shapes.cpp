@@ -168,7 +168,7 @@ Motion randomMotion(Random& random, const Polygon& polygon, double size) {
   const auto shift = [&] { return Vec2(4 * size * Vec2(random.real(-1, 1), random.real(-1, 1))); };
   motion.shift = random.coin() ? shift() : Vec2(-random.real(0.5, 2) * motion.start.translation());
   if (random.oneIn(3)) return motion;
-  motion.pivot = random.coin() ? polygon.origin() : shift();
+  motion.pivot = random.coin() ? polygon.coveringOrigin() : shift();
   motion.angle = random.real(-1, 1) * (random.oneIn(3) ? 30 : 3);
   if (random.oneIn(3)) {
     motion.shift_2 = shift();

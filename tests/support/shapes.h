@@ -51,7 +51,7 @@ Polygon goneRoundOften(std::vector<Ring> rings);
 /// Every ring's direction and the rings' order drawn anew: nothing changes under even-odd.
 std::vector<Ring> redirected(Random& random, std::vector<Ring> rings);
 
-/// Turned by the angle, then moved: the angle comes first, unlike that of the public pose(x, y, heading).
+/// Turned by the angle, then moved: the angle comes first, unlike that of the public poseAt(x, y, heading).
 Pose turnedAndMoved(double angle, double x, double y);
 /// By its entries, a row after the other.
 Pose pose(double xx, double xy, double x, double yx, double yy, double y);

@@ -175,7 +175,7 @@ struct Edge {
 std::vector<Edge> edgesAroundOrigin(const Polygon& polygon) {
   std::vector<Edge> edges;
   for (EdgeIndex i = 0; i < polygon.edgeCount(); ++i) {
-    edges.push_back({polygon.edgeStart(i) - polygon.origin(), polygon.edgeEnd(i) - polygon.origin()});
+    edges.push_back({polygon.edgeStart(i) - polygon.coveringOrigin(), polygon.edgeEnd(i) - polygon.coveringOrigin()});
   }
   return edges;
 }
@@ -200,7 +200,7 @@ Pose onArm(const Polygon& fixed, const Polygon& moving, double arm_angle, double
   const Eigen::Rotation2Dd turn(arm_angle);
   Pose pose = Pose::Identity();
   pose.linear() = (turn * Eigen::Rotation2Dd(own_angle)).toRotationMatrix();
-  pose.translation() = fixed.origin() + turn * Vec2(arm, 0) - pose.linear() * moving.origin();
+  pose.translation() = fixed.coveringOrigin() + turn * Vec2(arm, 0) - pose.linear() * moving.coveringOrigin();
   return pose;
 }
 

@@ -80,10 +80,10 @@ TEST_P(EveryKind, CircularTrajectoryComesWithinTheGapAndNoNearer) {
         ASSERT_GE(gapAt(fixed, moving, poses[i]), kGap - 1e-9) << "position " << i;
         ASSERT_FALSE(collide(fixed, Pose::Identity(), moving, poses[i])) << "position " << i;
       }
-      const double arm = (poses.front() * moving.origin() - fixed.origin()).norm();
+      const double arm = (poses.front() * moving.coveringOrigin() - fixed.coveringOrigin()).norm();
       EXPECT_EQ(arm < fixed.radius() + moving.radius(), GetParam() != Kind::Convex) << "do the bounding discs meet?";
-      const Vec2 step = poses[1] * moving.origin() - poses[0] * moving.origin();
-      const Vec2 closing = poses.front() * moving.origin() - poses.back() * moving.origin();
+      const Vec2 step = poses[1] * moving.coveringOrigin() - poses[0] * moving.coveringOrigin();
+      const Vec2 closing = poses.front() * moving.coveringOrigin() - poses.back() * moving.coveringOrigin();
       EXPECT_NEAR(step.norm(), closing.norm(), 1e-9) << "the last position is one step before the first";
     }
   }
@@ -119,7 +119,7 @@ TEST_P(EveryKind, CircularTrajectoryMayComeAsNearAsAsked) {
 }
 
 double originDistance(const Polygon& fixed, const Polygon& moving, const Pose& pose) {
-  return (pose * moving.origin() - fixed.origin()).norm();
+  return (pose * moving.coveringOrigin() - fixed.coveringOrigin()).norm();
 }
 
 TEST_P(EveryKind, ContactPosesAreWithinTwoPercentOfFirstContact) {
@@ -131,7 +131,7 @@ TEST_P(EveryKind, ContactPosesAreWithinTwoPercentOfFirstContact) {
     ASSERT_EQ(poses.size(), kRandomPositions);
     std::size_t hits = 0;
     for (const Pose& pose : poses) {
-      const Vec2 arm = pose * moving.origin() - fixed.origin();
+      const Vec2 arm = pose * moving.coveringOrigin() - fixed.coveringOrigin();
       const auto hitsAt = [&](double share) {
         Pose moved = pose;
         moved.translation() += (share - 1) * arm;

@@ -27,13 +27,13 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
     const Polygon polygon({ring});
     const double angle = random.real(0, 6.28), turn = std::pow(10, random.real(-6, 0)), way = turn * random.unit();
     const Pose before = turnedAndMoved(angle, 1, 2);
-    const Vec2 center = before * polygon.origin();
+    const Vec2 center = before * polygon.coveringOrigin();
     Pose after = turnedAndMoved(angle + turn, 0, 0);
     if (i % 5 == 0) after = mirrored(turnedAndMoved(random.real(0, 6.28), 0, 0));
     if (i % 5 == 1) after = distorted(random, before);
     const double direction = random.real(0, 6.28);
     after.translation() =
-        center - after.linear() * polygon.origin() + way * Vec2(std::cos(direction), std::sin(direction));
+        center - after.linear() * polygon.coveringOrigin() + way * Vec2(std::cos(direction), std::sin(direction));
     double farthest = 0;
     for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
     double kept[6];

@@ -39,7 +39,7 @@ TEST(Complement, IsUnboundedAndStaysAComplement) {
   EXPECT_TRUE(std::isinf(outside.area()) && std::isinf(outside.radius()));
   EXPECT_TRUE(std::isinf(outside.bounds().max().x()) && std::isinf(outside.bounds(at(1, 2)).min().y()));
   EXPECT_EQ(outside.centroid(), Vec2(10, 2));
-  EXPECT_EQ(outside.origin(), lane().origin());
+  EXPECT_EQ(outside.coveringOrigin(), lane().coveringOrigin());
   EXPECT_NE(outside.id(), lane().id());
   EXPECT_THROW(outside.simplified(0.1, Simplify::Outwards), std::invalid_argument);
   for (const double far : {21.0, 1e15, 1e300}) EXPECT_EQ(locate(outside, {far, 2}), Location::Inside);
@@ -70,15 +70,15 @@ TEST(Complement, LeavesOutWhatTheNonZeroRuleHasInside) {
 }
 
 TEST(Complement, RefusesWhatHasNoArea) {
-  EXPECT_THROW(point({1, 2}).complement(), std::invalid_argument);
-  EXPECT_THROW(segment({1, 2}, {3, 4}).complement(), std::invalid_argument);
+  EXPECT_THROW(Polygon::point({1, 2}).complement(), std::invalid_argument);
+  EXPECT_THROW(Polygon::segment({1, 2}, {3, 4}).complement(), std::invalid_argument);
   EXPECT_THROW(Polygon({{{0, 0}, {1, 0}, {2, 0}, {3, 0}}}).complement(), std::invalid_argument);
   const Ring square = rectangle(0, 0, 2, 2);
   EXPECT_THROW(Polygon({square, square}).complement(), std::invalid_argument);
 }
 
 TEST(Complement, TellsWhetherABodyIsInside) {
-  const Polygon outside = lane().complement(), car = box(4, 2);
+  const Polygon outside = lane().complement(), car = Polygon::box(4, 2);
   EXPECT_FALSE(collide(outside, kHere, car, at(10, 2)));
   EXPECT_TRUE(collide(outside, kHere, car, at(10, 3)));  // it touches the border
   EXPECT_FALSE(collide(outside, kHere, car, at(10, 3), kOpen));
@@ -86,14 +86,14 @@ TEST(Complement, TellsWhetherABodyIsInside) {
   EXPECT_FALSE(collide(outside, kHere, car, at(10, 2), {1, 0, Touching::Allowed}));
   for (const double far : {30.0, 1e15, 1e300}) {
     EXPECT_TRUE(collide(outside, kHere, car, at(far, 2)));
-    EXPECT_TRUE(collide(outside, kHere, segment({-far, 2}, {-2 * far / 2, 3}), kHere));
+    EXPECT_TRUE(collide(outside, kHere, Polygon::segment({-far, 2}, {-2 * far / 2, 3}), kHere));
     EXPECT_EQ(distance(outside, kHere, car, at(-far, 2)).distance, 0);
-    EXPECT_TRUE(collide(outside, kHere, box(1, 1).complement(), at(far, 0), kOpen)) << "two of them always meet";
+    EXPECT_TRUE(collide(outside, kHere, Polygon::box(1, 1).complement(), at(far, 0), kOpen)) << "two of them always meet";
   }
 }
 
 TEST(Complement, HasDistancesAndLocalDepths) {
-  const Polygon outside = lane().complement(), car = box(4, 2);
+  const Polygon outside = lane().complement(), car = Polygon::box(4, 2);
   const DistanceResult apart = distance(outside, kHere, car, at(10, 2.5));
   EXPECT_EQ(apart.distance, 0.5);
   EXPECT_EQ(apart.edge_a, 2);
@@ -108,7 +108,7 @@ TEST(Complement, HasDistancesAndLocalDepths) {
 }
 
 TEST(Complement, IsRefusedWhereOneDepthIsWanted) {
-  const Polygon outside = lane().complement(), car = box(4, 2);
+  const Polygon outside = lane().complement(), car = Polygon::box(4, 2);
   expectRefused("a: a complement", [&] { penetration(outside, kHere, car, at(10, 2)); });
   expectRefused("b: a complement", [&] { penetration(car, at(10, 2), outside, kHere); });
   expectRefused("ContactDetail::LocalDepth", [&] { contacts(outside, kHere, car, at(10, 2)); });
@@ -116,7 +116,7 @@ TEST(Complement, IsRefusedWhereOneDepthIsWanted) {
 }
 
 TEST(Complement, IsLeftByMotions) {
-  const Polygon outside = lane().complement(), car = box(4, 2);
+  const Polygon outside = lane().complement(), car = Polygon::box(4, 2);
   const Motion still = Motion::still(kHere), up = Motion::translation(at(10, 2), {0, 4});
   const auto leaves = timeOfImpact(outside, still, car, up);
   ASSERT_TRUE(leaves);
@@ -144,15 +144,15 @@ TEST(Complement, StopsRays) {
 TEST(Complement, IsABodyOfAScene) {
   Scene scene;
   const auto zone = scene.add(lane().complement(), kHere);
-  const auto car = scene.add(box(4, 2), at(10, 2));
-  const auto stranger = scene.add(box(1, 1), at(1e6, 0));
+  const auto car = scene.add(Polygon::box(4, 2), at(10, 2));
+  const auto stranger = scene.add(Polygon::box(1, 1), at(1e6, 0));
   EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{zone, stranger}}));
   scene.move(car, at(10, 3));
   EXPECT_EQ(scene.collisions().size(), 2u);
-  EXPECT_EQ(scene.colliding(box(1, 1), at(1e6, 0)), (std::vector<BodyHandle>{zone, stranger}));
+  EXPECT_EQ(scene.colliding(Polygon::box(1, 1), at(1e6, 0)), (std::vector<BodyHandle>{zone, stranger}));
   EXPECT_EQ(scene.castRay({-1e308, 2}, {1e308, 2})->body, zone);
   // As the query's polygon.
-  EXPECT_EQ(scene.colliding(box(100, 100).complement(), kHere), (std::vector<BodyHandle>{zone, stranger}));
+  EXPECT_EQ(scene.colliding(Polygon::box(100, 100).complement(), kHere), (std::vector<BodyHandle>{zone, stranger}));
 }
 
 TEST(Complement, IsDrawnUpToAFrame) {

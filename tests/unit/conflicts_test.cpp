@@ -15,7 +15,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/prepare.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::support {

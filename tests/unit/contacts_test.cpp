@@ -9,7 +9,7 @@
 #include "test_scale.h"
 #include "tricover/distance.h"
 #include "tricover/penetration.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -87,8 +87,8 @@ TEST(Contacts, WithAMarginAreOfWhatIsGrown) {
   EXPECT_TRUE(contacts(square, kHere, far, kHere, {0x1p699}).empty());
   ASSERT_EQ(contacts(square, kHere, far, kHere, {0x1p702}).size(), 1u);
   EXPECT_EQ(contacts(square, kHere, far, kHere, {0x1p702})[0].depth, 0x1.8p701);
-  EXPECT_EQ(contacts(point({0, 0}), kHere, point({3, 4}), kHere, {6})[0].depth, 1);
-  EXPECT_EQ(contacts(point({0, 0}), kHere, point({3, 4}), kHere, {6})[0].normal, Vec2(0.6, 0.8));
+  EXPECT_EQ(contacts(Polygon::point({0, 0}), kHere, Polygon::point({3, 4}), kHere, {6})[0].depth, 1);
+  EXPECT_EQ(contacts(Polygon::point({0, 0}), kHere, Polygon::point({3, 4}), kHere, {6})[0].normal, Vec2(0.6, 0.8));
 }
 
 TEST(Contacts, OfTwoAnnuliAreTheirTwoLenses) {
@@ -252,7 +252,7 @@ TEST(Contacts, OfDenormalCoordinates) {
     const Pose there =
         turnedAndMoved(random.real(0, 6.28), size * random.real(-1.5, 1.5), size * random.real(-1.5, 1.5));
     for (const Contact& contact : contacts(a, kHere, b, there)) {
-      const Polygon at = point(contact.point);
+      const Polygon at = Polygon::point(contact.point);
       const mpq_class off(0x1p-1042 * (1 + 1e-9));
       EXPECT_TRUE(exact::within(exact::distanceSquared(at, kHere, a, kHere), off)) << i;
       EXPECT_TRUE(exact::within(exact::distanceSquared(at, kHere, b, there), off)) << i;
@@ -358,7 +358,7 @@ TEST(Contacts, HaveAPointThatIsNotBeyondTheEndOfALine) {
     ContactOptions options;
     options.detail = detail;
     for (const Contact& contact : contacts(a, kHere, b, kHere, options))
-      EXPECT_LT(distance(b, kHere, point(contact.point), kHere).distance, 1e-12);
+      EXPECT_LT(distance(b, kHere, Polygon::point(contact.point), kHere).distance, 1e-12);
   }
 }
 

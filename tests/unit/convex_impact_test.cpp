@@ -15,7 +15,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -113,7 +113,7 @@ Polygon pointOrSegment(Random& random, double size) {
   const Ring ring = random.oneIn(3)   ? Ring{start, start, end}
                     : random.oneIn(2) ? Ring{start, end, end}
                                       : Ring{start, end, start};
-  return random.coin() ? point(start) : Polygon({ring});
+  return random.coin() ? Polygon::point(start) : Polygon({ring});
 }
 Slide anySlide(Random& random) {
   const auto whole = [&](int low, int high) { return static_cast<double>(random.integer(low, high)); };
@@ -132,9 +132,9 @@ Slide anySlide(Random& random) {
   if (random.oneIn(4)) still.start = mirrored(still.start);
   Motion moving;
   moving.start = turnedAndMoved(random.real(-4, 4), 0, 0);
-  moving.start.translation() = still.start * a.origin() + start - moving.start * b.origin();
+  moving.start.translation() = still.start * a.coveringOrigin() + start - moving.start * b.coveringOrigin();
   moving.shift = drift - random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1, 1)) * start);
-  moving.pivot = b.origin() + (random.oneIn(4) ? Vec2(size, 0) : Vec2(0, 0));
+  moving.pivot = b.coveringOrigin() + (random.oneIn(4) ? Vec2(size, 0) : Vec2(0, 0));
   if (b.data().isPoint() && random.coin()) moving.angle = random.real(-3, 3);
   return {a, b, still, moving, random.oneIn(3) ? size * random.real(0, 0.5) : 0};
 }
@@ -200,7 +200,7 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
     const Polygon a({convexRing(random, 1, 16)}), b({convexRing(random, random.real(0.05, 1), 16)});
     const Vec2 start = 3 * direction(random.real(-4, 4));
     const Motion motion =
-        Motion::translation(turnedAndMoved(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.origin());
+        Motion::translation(turnedAndMoved(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.coveringOrigin());
     const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {0, 1e-9});
     if (!impact || impact->time == 0) continue;
     const PolygonData &of_a = a.data(), &of_b = b.data();

@@ -12,7 +12,7 @@
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -35,7 +35,7 @@ TEST(Covers, PlugsHolesAndItself) {
   EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(0, 0, 9, 9)})));
   EXPECT_TRUE(together({sheet, plug}, Polygon({rectangle(1, 1, 8, 8)}), 1));
   EXPECT_FALSE(together({sheet, Polygon({rectangle(3, 3, 6, 6 - 1e-15)})}, Polygon({rectangle(0, 0, 9, 9)})));
-  EXPECT_FALSE(Scene().covers(point({0, 0}), kHere));
+  EXPECT_FALSE(Scene().covers(Polygon::point({0, 0}), kHere));
   // The part holds a ring of the area, a hole that meets none of the part's edges.
   EXPECT_FALSE(covers(sheet, Polygon({rectangle(1, 1, 8, 8)})));
   EXPECT_TRUE(covers(sheet, Polygon({rectangle(1, 1, 8, 8), rectangle(2, 2, 7, 7)})));
@@ -98,7 +98,7 @@ TEST(Covers, RefusesWhatItCannotTell) {
   const BodyHandle body = scene.add(area, kHere, wide);
   EXPECT_THROW(scene.covers(area, kHere), std::invalid_argument);
   EXPECT_FALSE(scene.covers(area, kHere, {}, BodyFilter::allBut(body)));
-  EXPECT_FALSE(scene.covers(area, tricover::pose(100, 0)));
+  EXPECT_FALSE(scene.covers(area, tricover::poseAt(100, 0)));
 }
 
 /// A border ends where edges cross: its distance is compared exactly, whatever the size.
@@ -107,15 +107,15 @@ TEST(Covers, BordersThatEndAtCrossings) {
     const auto bar = [&](double x, double y) { return rectangle(-x * size, -y * size, x * size, y * size); };
     const double five = 5 * size, above = std::nextafter(five, 6 * size);
     const Polygon cross({bar(3, 12), bar(12, 4)}, FillRule::NonZero);  // its corners are at (3, 4)
-    EXPECT_TRUE(covers(cross, point({0, 0}), five)) << size;
-    EXPECT_FALSE(covers(cross, point({0, 0}), above)) << size;
-    EXPECT_TRUE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, point({0, 0}), five)) << size;
-    EXPECT_FALSE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, point({0, 0}), above)) << size;
+    EXPECT_TRUE(covers(cross, Polygon::point({0, 0}), five)) << size;
+    EXPECT_FALSE(covers(cross, Polygon::point({0, 0}), above)) << size;
+    EXPECT_TRUE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, Polygon::point({0, 0}), five)) << size;
+    EXPECT_FALSE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, Polygon::point({0, 0}), above)) << size;
     // Beside a piece; and a piece's end beside an edge's end, and beside the edge.
     const double four = 4 * size, root = std::sqrt(20.0) * size;
-    const Polygon flat({{{-size, 0}, {size, 0}, {0, size / 8}}}), beam = segment({-7 * size, 0}, {7 * size, 0});
-    EXPECT_TRUE(covers(cross, point({7 * size, 0}), four)) << size;
-    EXPECT_FALSE(covers(cross, point({7 * size, 0}), std::nextafter(four, five))) << size;
+    const Polygon flat({{{-size, 0}, {size, 0}, {0, size / 8}}}), beam = Polygon::segment({-7 * size, 0}, {7 * size, 0});
+    EXPECT_TRUE(covers(cross, Polygon::point({7 * size, 0}), four)) << size;
+    EXPECT_FALSE(covers(cross, Polygon::point({7 * size, 0}), std::nextafter(four, five))) << size;
     EXPECT_TRUE(covers(cross, flat, root * (1 - 1e-15))) << size;
     EXPECT_FALSE(covers(cross, flat, root * (1 + 1e-15))) << size;
     EXPECT_TRUE(covers(cross, beam, four)) << size;
@@ -124,14 +124,14 @@ TEST(Covers, BordersThatEndAtCrossings) {
   // Coordinates of all sizes at once: edges that cross are 2^1900 times as long as the distance.
   const double tiny = 0x1p-1000, huge = 0x1p900;
   const Polygon uneven({rectangle(-huge, -huge, tiny, huge), rectangle(-huge, -huge, huge, tiny)}, FillRule::NonZero);
-  EXPECT_TRUE(covers(uneven, point({-3 * tiny, -4 * tiny}), 4 * tiny));
-  EXPECT_TRUE(covers(uneven, point({-2 * tiny, -3 * tiny}), 5 * tiny));
-  EXPECT_FALSE(covers(uneven, point({-2 * tiny, -3 * tiny}), std::nextafter(5 * tiny, 1)));
+  EXPECT_TRUE(covers(uneven, Polygon::point({-3 * tiny, -4 * tiny}), 4 * tiny));
+  EXPECT_TRUE(covers(uneven, Polygon::point({-2 * tiny, -3 * tiny}), 5 * tiny));
+  EXPECT_FALSE(covers(uneven, Polygon::point({-2 * tiny, -3 * tiny}), std::nextafter(5 * tiny, 1)));
 }
 
 /// A plain answer was hidden by an edge that ends at a crossing as far away as the margin.
 TEST(Covers, VerticesThatAreBoundary) {
-  EXPECT_FALSE(covers(Polygon({{{1, 1}, {0, -3}, {0, 2}, {1, 0}, {-1, 2}}}), point({0, 2}), 1));
+  EXPECT_FALSE(covers(Polygon({{{1, 1}, {0, -3}, {0, 2}, {1, 0}, {-1, 2}}}), Polygon::point({0, 2}), 1));
 }
 
 /// They reach farther than the power of two that is their unit.

@@ -9,7 +9,7 @@
 
 #include "shapes.h"
 #include "tricover/contacts.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -24,17 +24,17 @@ TEST(Crossings, NameEdgesAndPoints) {
     Polygon a, b;
     std::vector<Crossing> expected;
   } table[] = {
-      {"two squares", box(4, 4), Polygon({rectangle(1, -1, 3, 1)}), {{1, 0, {2, -1}}, {1, 2, {2, 1}}}},
+      {"two squares", Polygon::box(4, 4), Polygon({rectangle(1, -1, 3, 1)}), {{1, 0, {2, -1}}, {1, 2, {2, 1}}}},
       {"a hole's edge",
        Polygon({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)}),
        Polygon({rectangle(2, 4, 4, 5)}),
        {{7, 0, {3, 4}}, {7, 2, {3, 5}}}},
-      {"a vertex on an edge", box(4, 4), Polygon({{{2, 0}, {4, -1}, {4, 1}}}), {{1, 0, {2, 0}}, {1, 2, {2, 0}}}},
+      {"a vertex on an edge", Polygon::box(4, 4), Polygon({{{2, 0}, {4, -1}, {4, 1}}}), {{1, 0, {2, 0}}, {1, 2, {2, 0}}}},
       {"collinear edges",
-       box(4, 4),
+       Polygon::box(4, 4),
        Polygon({rectangle(2, -1, 4, 7)}),
        {{1, 0, {2, -1}}, {1, 3, {2, 0.5}}, {2, 3, {2, 2}}}},
-      {"a repeated vertex", box(4, 4), Polygon({{{2, 0}, {2, 0}, {4, -1}, {4, 1}}}), {{1, 1, {2, 0}}, {1, 3, {2, 0}}}}};
+      {"a repeated vertex", Polygon::box(4, 4), Polygon({{{2, 0}, {2, 0}, {4, -1}, {4, 1}}}), {{1, 1, {2, 0}}, {1, 3, {2, 0}}}}};
   for (const auto& [name, a, b, expected] : table) {
     SCOPED_TRACE(name);
     std::vector<Crossing> found = crossings(a, kHere, b, kHere);

@@ -16,7 +16,7 @@
 #include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -25,7 +25,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr EdgeIndex kMostEdges = 200;  // for the laws, which are exact
 const Pose kHere = Pose::Identity();
 
-Pose at(double x, double y, double heading = 0) { return tricover::pose(x, y, heading); }
+Pose at(double x, double y, double heading = 0) { return tricover::poseAt(x, y, heading); }
 
 /// Under every law, and of swapped operands.
 double depthOf(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
@@ -45,13 +45,13 @@ double excessOf(const Polygon& part, const Pose& pose, const Polygon& area) {
 
 /// t into both walls of a corner: t times the root of 2.
 TEST(Depth, OfACrateInACorner) {
-  const Polygon room = box(10, 10).complement(), crate = box(2, 2);
+  const Polygon room = Polygon::box(10, 10).complement(), crate = Polygon::box(2, 2);
   for (const double t : {1e-12, 1e-9, 1e-6, 0.01, 0.5})
     EXPECT_NEAR(depthOf(room, crate, at(-4 - t, -4 - t)), std::sqrt(2) * t, 2e-14) << t;
 }
 
 TEST(Depth, NamesPointsEdgesAndANormal) {
-  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}}), crate = box(2, 2);
+  const Polygon corner({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}}), crate = Polygon::box(2, 2);
   const Depth of_crate = depth(corner, kHere, crate, at(1.99, 1.99));
   EXPECT_FALSE(of_crate.is_point_of_a);
   EXPECT_NEAR((of_crate.point_b - Vec2(0.99, 0.99)).norm(), 0, 1e-14);
@@ -62,7 +62,7 @@ TEST(Depth, NamesPointsEdgesAndANormal) {
   const Depth apart = depth(crate, kHere, crate, at(2, 0.5));
   EXPECT_TRUE(apart.depth == 0 && apart.edge_a == -1 && apart.edge_b == -1);
   // A hole's middle, where another region fills the hole.
-  const Depth in_hole = depth(box(20, 20), kHere, Polygon({regular(6, 8), regular(6, 2)}).complement(), kHere);
+  const Depth in_hole = depth(Polygon::box(20, 20), kHere, Polygon({regular(6, 8), regular(6, 2)}).complement(), kHere);
   EXPECT_TRUE(!in_hole.is_point_of_a && in_hole.edge_b == -1);
   EXPECT_NEAR(in_hole.depth, 10, 2e-14);
 }
@@ -71,59 +71,59 @@ TEST(Depth, NamesPointsEdgesAndANormal) {
 TEST(Depth, OfWhatManyEdgesTieIn) {
   for (const int n : {3, 4, 5, 64, 1024, 4096}) {
     const Polygon peg({regular(n, 3)});
-    EXPECT_NEAR(depthOf(peg, box(1, 1), kHere), 3 * std::cos(M_PI / n), 1e-14) << n;
-    EXPECT_NEAR(excessOf(box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n), 1e-14)
+    EXPECT_NEAR(depthOf(peg, Polygon::box(1, 1), kHere), 3 * std::cos(M_PI / n), 1e-14) << n;
+    EXPECT_NEAR(excessOf(Polygon::box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n), 1e-14)
         << n;
   }
   Ring corridor;
   for (int i = 0; i <= 500; ++i) corridor.emplace_back(i, 0);
   for (int i = 500; i >= 0; --i) corridor.emplace_back(i, 1);
   const Polygon hall(corridor);
-  EXPECT_NEAR(depthOf(hall, box(100, 2), at(250, 0.5)), 1, 1e-13);
-  EXPECT_NEAR(depthOf(hall, box(100, 0.25), at(250, 0.5)), 0.5, 1e-13);
-  EXPECT_NEAR(depthOf(hall.complement(), box(100, 1.5), at(250, 0.5)), 0.25, 1e-13);
+  EXPECT_NEAR(depthOf(hall, Polygon::box(100, 2), at(250, 0.5)), 1, 1e-13);
+  EXPECT_NEAR(depthOf(hall, Polygon::box(100, 0.25), at(250, 0.5)), 0.5, 1e-13);
+  EXPECT_NEAR(depthOf(hall.complement(), Polygon::box(100, 1.5), at(250, 0.5)), 0.25, 1e-13);
   EXPECT_NEAR(depthOf(hall, hall, kHere), 0.5, 1e-13);
 }
 
 /// Without an inside, and beside edges that don't count, since the region is on both sides of them.
 TEST(Depth, OfSegmentsPointsAndSlits) {
-  EXPECT_NEAR(depthOf(box(4, 2), segment({-9, 0.25}, {9, 0.25}), kHere), 0.75, 1e-14);
-  EXPECT_NEAR(depthOf(box(4, 2), point({1, 0.5}), kHere), 0.5, 1e-14);
-  EXPECT_EQ(depthOf(box(4, 2), segment({-2, 1}, {2, 1}), kHere), 0);
-  EXPECT_EQ(depthOf(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere), 0);
-  EXPECT_EQ(depthOf(point({0, 0}), point({0, 0}), kHere), 0);
+  EXPECT_NEAR(depthOf(Polygon::box(4, 2), Polygon::segment({-9, 0.25}, {9, 0.25}), kHere), 0.75, 1e-14);
+  EXPECT_NEAR(depthOf(Polygon::box(4, 2), Polygon::point({1, 0.5}), kHere), 0.5, 1e-14);
+  EXPECT_EQ(depthOf(Polygon::box(4, 2), Polygon::segment({-2, 1}, {2, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere), 0);
+  EXPECT_EQ(depthOf(Polygon::point({0, 0}), Polygon::point({0, 0}), kHere), 0);
   const Polygon slit({{{-2, -2}, {0, -2}, {0, 1}, {0, -2}, {2, -2}, {2, 2}, {-2, 2}}});
-  EXPECT_NEAR(depthOf(slit, box(1, 1), kHere), 2, 1e-14);
-  EXPECT_NEAR(depthOf(Polygon({rectangle(-2, -2, 0, 2), rectangle(0, -2, 2, 2)}), box(1, 1), kHere), 2, 1e-14);
+  EXPECT_NEAR(depthOf(slit, Polygon::box(1, 1), kHere), 2, 1e-14);
+  EXPECT_NEAR(depthOf(Polygon({rectangle(-2, -2, 0, 2), rectangle(0, -2, 2, 2)}), Polygon::box(1, 1), kHere), 2, 1e-14);
 }
 
 TEST(Depth, OfAnySize) {
   for (const double size : {1e-300, 1e-200, 1e-10, 1e10, 1e150, 1e200}) {
-    const Polygon square = box(4, 4).scaled(size);
+    const Polygon square = Polygon::box(4, 4).scaled(size);
     EXPECT_NEAR(depthOf(square, square, at(3.5 * size, size)) / size, 0.5, 1e-13) << size;
     EXPECT_NEAR(depthOf(square.complement(), square, at(size, size)) / size, std::sqrt(2), 1e-13) << size;
-    EXPECT_NEAR(depthOf(box(1, 1), square, at(0.3, 0)), size < 1 ? 0.2 + 2 * size : 2 * size,
+    EXPECT_NEAR(depthOf(Polygon::box(1, 1), square, at(0.3, 0)), size < 1 ? 0.2 + 2 * size : 2 * size,
                 (size < 1 ? 1 : size) * 1e-13)
         << size;
   }
 }
 
 TEST(Excess, OfRegionsWithHolesAndWithout) {
-  const Polygon area = box(10, 10), holed({rectangle(-5, -5, 5, 5), rectangle(-2, -2, 2, 2)});
-  EXPECT_EQ(excessOf(box(2, 2), at(4, 4), area), 0);
-  EXPECT_NEAR(excessOf(box(2, 2), at(4.5, 4.5), area), std::sqrt(0.5), 1e-14);
+  const Polygon area = Polygon::box(10, 10), holed({rectangle(-5, -5, 5, 5), rectangle(-2, -2, 2, 2)});
+  EXPECT_EQ(excessOf(Polygon::box(2, 2), at(4, 4), area), 0);
+  EXPECT_NEAR(excessOf(Polygon::box(2, 2), at(4.5, 4.5), area), std::sqrt(0.5), 1e-14);
   // The middle of a hole.
   const Excess in_hole = excess(area, kHere, holed, kHere);
   EXPECT_NEAR(in_hole.distance, 2, 1e-14);
   EXPECT_EQ(in_hole.edge, -1);
   EXPECT_NEAR(in_hole.point.norm(), 0, 1e-13);
   // What has no area is far from hardly more than itself.
-  EXPECT_NEAR(excessOf(area, kHere, point({0, 0})), std::sqrt(50), 1e-14);
-  EXPECT_NEAR(excessOf(area, kHere, segment({-5, 0}, {5, 0})), 5, 1e-14);
-  EXPECT_EQ(excessOf(segment({-1, 0}, {1, 0}), kHere, segment({-5, 0}, {5, 0})), 0);
+  EXPECT_NEAR(excessOf(area, kHere, Polygon::point({0, 0})), std::sqrt(50), 1e-14);
+  EXPECT_NEAR(excessOf(area, kHere, Polygon::segment({-5, 0}, {5, 0})), 5, 1e-14);
+  EXPECT_EQ(excessOf(Polygon::segment({-1, 0}, {1, 0}), kHere, Polygon::segment({-5, 0}, {5, 0})), 0);
   // Unbounded.
   EXPECT_EQ(excessOf(area.complement(), kHere, area), kInfinity);
-  EXPECT_NEAR(excessOf(box(4, 4).complement(), kHere, area.complement()), 3, 1e-14);
+  EXPECT_NEAR(excessOf(Polygon::box(4, 4).complement(), kHere, area.complement()), 3, 1e-14);
   EXPECT_EQ(depthOf(area.complement(), holed.complement(), kHere), kInfinity);
 }
 
@@ -138,10 +138,10 @@ TEST(Excess, IsKnownInClosedForm) {
 }
 
 TEST(HausdorffDistance, IsTheLargerExcess) {
-  EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2), kHere), 0);
-  EXPECT_NEAR(hausdorffDistance(box(2, 2), kHere, box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
-  EXPECT_EQ(hausdorffDistance(box(2, 2), kHere, box(2, 2).complement(), kHere), kInfinity);
-  EXPECT_NEAR(hausdorffDistance(box(2, 2).complement(), kHere, box(6, 4).complement(), kHere), 2, 1e-14);
+  EXPECT_EQ(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(2, 2), kHere), 0);
+  EXPECT_NEAR(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
+  EXPECT_EQ(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(2, 2).complement(), kHere), kInfinity);
+  EXPECT_NEAR(hausdorffDistance(Polygon::box(2, 2).complement(), kHere, Polygon::box(6, 4).complement(), kHere), 2, 1e-14);
 }
 
 /// One edge passes another one's end within rounding: where they cross is rounded once on either, and is one corner of
@@ -156,7 +156,7 @@ TEST(Depth, BesideACrossingWithinRoundingOfAVertex) {
     for (const double side : {-1, 1}) {
       const Vec2 inside = begin + share * way + side * 0.05 * left;
       const double expected = locate(crossed, inside) == Location::Inside ? 0.05 : 0;
-      EXPECT_NEAR(depth(crossed, kHere, point(inside), kHere).depth, expected, 1e-13) << share << ", " << side;
+      EXPECT_NEAR(depth(crossed, kHere, Polygon::point(inside), kHere).depth, expected, 1e-13) << share << ", " << side;
     }
   EXPECT_EQ(locate(crossed, begin + 0.6 * way - 0.05 * left), Location::Inside);
 }
@@ -178,7 +178,7 @@ TEST(Excess, NamesEdgesBehindVerticesThatRoundingMakesOne) {
   const Excess found = excess(a, kHere, b, pose_b);
   const Vec2 v = pose_b * b.edgeStart(found.nearest_edge), w = pose_b * b.edgeEnd(found.nearest_edge);
   EXPECT_EQ(found.nearest_edge, 8);
-  EXPECT_NEAR(distance(segment(v, w), kHere, point(found.nearest), kHere).distance, 0, 1e-15);
+  EXPECT_NEAR(distance(Polygon::segment(v, w), kHere, Polygon::point(found.nearest), kHere).distance, 0, 1e-15);
 }
 
 /// A body that is much thinner than it is deep, along a wall: cells are as long as it is, and a border leads through
@@ -210,13 +210,13 @@ TEST(Depth, OfAThinBodyAlongAWallEndsWithinTheBudget) {
   const double time = 0.37651214374636885;
   const Vec2 there(0x1.e3069a0077c11p+0 - time * 0x1.bd8f7689f9624p+1,
                    -0x1.4ea968c708a22p+1 + time * 0x1.4e5c09f4b40ep+2);
-  const Depth found = depth(a, kHere, b, tricover::pose(there.x(), there.y()));
+  const Depth found = depth(a, kHere, b, tricover::poseAt(there.x(), there.y()));
   EXPECT_NEAR(found.depth, 0.000864994655546, 1e-14);
   EXPECT_NEAR(found.upper_bound, found.depth, 1e-14);
 }
 
 TEST(Depth, RefusesWhatIsNoPose) {
-  const Polygon square = box(1, 1);
+  const Polygon square = Polygon::box(1, 1);
   Pose skewed = kHere, absent = kHere;
   skewed.linear()(0, 0) = 2;
   absent.translation().x() = std::nan("");

@@ -280,7 +280,7 @@ TEST(InnerDiscs, OfARegionThatHasNoneMeetNothing) {
   const Polygon angle({{{-8, -8}, {8, -8}, {8, -8 + 1e-9}, {-8 + 1e-9, -8 + 1e-9}, {-8 + 1e-9, 8}, {-8, 8}}});
   ASSERT_EQ(innerDiscsOf(angle.data()).largest, 0);
   const Polygon block({rectangle(-2, -2, 2, 2)});
-  for (const Vec2& at : {angle.origin(), Vec2(angle.origin() + Vec2(0.5, 0.5))}) {
+  for (const Vec2& at : {angle.coveringOrigin(), Vec2(angle.coveringOrigin() + Vec2(0.5, 0.5))}) {
     const Pose pose_b = turnedAndMoved(0, at.x(), at.y());
     ASSERT_FALSE(exact::collide(angle, Pose::Identity(), block, pose_b));
     EXPECT_FALSE(collide(angle, Pose::Identity(), block, pose_b));
@@ -361,7 +361,7 @@ TEST(Ray, ThroughVerticesFarAway) {
   for (int i = 0; i < scaledCount(1000); ++i) {
     const Vec2 v = built.edgeStart(anyEdge(random, built));
     const double t = i % 2 == 0 ? random.real(0.01, 0.99) : 1 - std::pow(10, random.real(-5, -2));
-    const Vec2 point = built.origin() + t * (v - built.origin());
+    const Vec2 point = built.coveringOrigin() + t * (v - built.coveringOrigin());
     ASSERT_EQ(locate(built, point), Location::Inside);
     const Pose frame = turnedAndMoved(random.real(0, 6.28), 0, 0);
     Pose pose_dot = turnedAndMoved(random.real(0, 6.28), 0, 0);

@@ -19,7 +19,7 @@
 #include "shapes.h"
 #include "tricover/conflicts.h"
 #include "tricover/least_distance.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -62,7 +62,7 @@ TEST(Distance, EdgeToVertexAndEdgeToEdge) {
 /// Two regions that are one point each, the same one: there is no edge to divide by. Far off, too, where what is scaled
 /// by their size would overflow.
 TEST(Distance, OfTwoPolygonsThatAreOnePoint) {
-  const Polygon a = point({0, 0}), b = point({0, 0});
+  const Polygon a = Polygon::point({0, 0}), b = Polygon::point({0, 0});
   for (const Pose& there : {at(0, 0), at(0x1p354, -0x1p353)})
     for (const Polygon* other : {&a, &b}) {
       const DistanceResult r = distance(a, there, *other, there);
@@ -203,7 +203,7 @@ TEST(Distance, NamesEdgesWithLengthOfAClosedRing) {
   EXPECT_NE(nearest.edge_a, 6);
   EXPECT_NE(nearest.edge_b, 6);
   EXPECT_EQ(nearest.point_a, Vec2(0, 0));
-  const DistanceResult of_point = distance(point({1, 2}), at(0, 0), Polygon({rectangle(3, 1, 4, 3)}), at(0, 0));
+  const DistanceResult of_point = distance(Polygon::point({1, 2}), at(0, 0), Polygon({rectangle(3, 1, 4, 3)}), at(0, 0));
   EXPECT_EQ(of_point.distance, 2);
   EXPECT_GE(of_point.edge_a, 0);
   EXPECT_LT(of_point.edge_a, 3);
@@ -230,13 +230,13 @@ void expectLeast(const LeastDistance& found, double truth, double error) {
 }
 
 TEST(LeastDistance, OfABodyThatPasses) {
-  const Polygon shelf = box(2, 2), robot = box(1, 1);
+  const Polygon shelf = Polygon::box(2, 2), robot = Polygon::box(1, 1);
   const Motion passes = slide(-3, 3, {6, -1});
   for (const double error : kErrors) {
     SCOPED_TRACE(error);
     const LeastDistance found = leastDistance(shelf, still(0, 0), robot, passes, within(error));
     expectLeast(found, 4.5 / std::sqrt(37), error);
-    const auto there = distance(shelf, tricover::pose(0, 0), robot, passes.at(found.time));
+    const auto there = distance(shelf, tricover::poseAt(0, 0), robot, passes.at(found.time));
     EXPECT_EQ(std::tie(found.distance, found.edge_a, found.edge_b),
               std::tie(there.distance, there.edge_a, there.edge_b));
     EXPECT_TRUE(found.point_a == there.point_a && found.point_b == there.point_b);
@@ -245,12 +245,12 @@ TEST(LeastDistance, OfABodyThatPasses) {
 }
 
 TEST(LeastDistance, IsNothingWhereTheyMeet) {
-  const Polygon square = box(1, 1);
+  const Polygon square = Polygon::box(1, 1);
   for (const Vec2& way : {Vec2(9, 0), Vec2(4, 0), Vec2(1, 0.75)}) {
     const LeastDistance found = leastDistance(square, still(0, 0), square, slide(-5, 0, way), within(1e-9, 3));
     EXPECT_EQ(found.distance, 0);
     EXPECT_EQ(found.lower_bound, 0);
-    EXPECT_LE(distance(square, tricover::pose(0, 0), square, slide(-5, 0, way).at(found.time)).distance, 3 + 1e-12);
+    EXPECT_LE(distance(square, tricover::poseAt(0, 0), square, slide(-5, 0, way).at(found.time)).distance, 3 + 1e-12);
   }
   // Found by `soak impact --seed 77 --case 776`: at the end they are nearer to each other than the error.
   EXPECT_EQ(leastDistance(square, still(0, 0), square, slide(-5, 0, {6.125, 0}), within(0.5)).distance, 0);
@@ -261,12 +261,12 @@ TEST(LeastDistance, IsNothingWhereTheyMeet) {
 
 /// Bodies that stay as far apart for all of the time.
 TEST(LeastDistance, OfConstantGaps) {
-  const Polygon floor = box(20, 1), crate = box(1, 1);
+  const Polygon floor = Polygon::box(20, 1), crate = Polygon::box(1, 1);
   Motion a = still(0, 0), b = still(-2, 1.25);
   a.angle = b.angle = 3;
   b.pivot = Vec2(2, -1.25);
   std::vector<TimedPose> waypoints;
-  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), tricover::pose(-9 + 0.3 * i, 1.25)});
+  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), tricover::poseAt(-9 + 0.3 * i, 1.25)});
   const Trajectory rests({{0, 60, still(0, 0)}}), slides = Trajectory::through(waypoints);
   const std::pair<Motion, Motion> motions[] = {
       {still(0, 0), slide(-5, 1.25, {10, 0})},
@@ -284,7 +284,7 @@ TEST(LeastDistance, OfConstantGaps) {
 }
 
 TEST(LeastDistance, ErrorsBelowRoundingEnd) {
-  const Polygon shelf = box(2, 2), robot = box(1, 1);
+  const Polygon shelf = Polygon::box(2, 2), robot = Polygon::box(1, 1);
   Motion turns = slide(-3, 3, {6, -1});
   turns.angle = 2;
   for (const double error : {1e-15, 1e-18, 1e-300, 5e-324}) {
@@ -294,9 +294,9 @@ TEST(LeastDistance, ErrorsBelowRoundingEnd) {
 }
 
 TEST(LeastDistance, TimesAreTheTrajectorys) {
-  const Polygon post = box(1, 1), robot = box(1, 1);
+  const Polygon post = Polygon::box(1, 1), robot = Polygon::box(1, 1);
   const Trajectory rests({{0, 100, still(0, 0)}});
-  const Trajectory passes = Trajectory::through({{10, tricover::pose(-8, 2)}, {20, tricover::pose(8, 2)}});
+  const Trajectory passes = Trajectory::through({{10, tricover::poseAt(-8, 2)}, {20, tricover::poseAt(8, 2)}});
   const LeastDistance found = leastDistance(post, rests, robot, passes);
   expectLeast(found, 1, 1e-6);
   EXPECT_GE(found.time, 14.3);
@@ -309,7 +309,7 @@ TEST(LeastDistance, TimesAreTheTrajectorys) {
   LeastDistanceOptions absent;
   absent.absent_outside = true;
   const LeastDistance there = leastDistance(post, later, robot, comes, absent);
-  EXPECT_EQ(there.distance, distance(post, tricover::pose(0, 0), robot, comes.at(12)).distance);
+  EXPECT_EQ(there.distance, distance(post, tricover::poseAt(0, 0), robot, comes.at(12)).distance);
   EXPECT_EQ(there.time, 12);
   const Trajectory never({{30, 40, still(0, 0)}});
   EXPECT_NE(refusal([&] { leastDistance(post, never, robot, comes, absent); }).find("absent_outside"),
@@ -321,7 +321,7 @@ TEST(LeastDistance, TimesAreTheTrajectorys) {
 
 /// As timeOfImpact() and conflicts() say at the one instant at which both are there.
 TEST(LeastDistance, AgreesAtAnInstant) {
-  const Polygon body = box(1, 1);
+  const Polygon body = Polygon::box(1, 1);
   for (const double apart : {0.0, 1.0, 1.5}) {
     const Trajectory first({{0, 10, slide(0, 0, {10, 0})}}), then({{10, 20, slide(10 + apart, 0, {5, 0})}});
     LeastDistanceOptions absent;
@@ -345,14 +345,14 @@ TEST(LeastDistance, AgreesAtAnInstant) {
 }
 
 TEST(LeastDistance, LengthsThatOverflowEnd) {
-  const Polygon post = box(1e307, 1e307);
+  const Polygon post = Polygon::box(1e307, 1e307);
   const LeastDistance found = leastDistance(post, still(-1.2e308, 0), post, slide(1.2e308, 0, {0, 1e307}));
   EXPECT_GT(found.distance, 1e308);
   EXPECT_LE(found.lower_bound, found.distance);
 }
 
 TEST(LeastDistance, RefusesBadOptions) {
-  const Polygon square = box(1, 1);
+  const Polygon square = Polygon::box(1, 1);
   const auto refused = [&](const LeastDistanceOptions& options) {
     return refusal([&] { leastDistance(square, still(0, 0), square, still(3, 0), options); });
   };

@@ -59,7 +59,7 @@ Vec2 somePoint(Random& random, const Polygon& polygon, double size) {
   const Vec2 v = data.path[position], w = data.path[position + 1];
   switch (random.integer(0, 4)) {
     case 0:
-      return polygon.origin() + 8 * size * Vec2(random.real(-1, 1), random.real(-1, 1));
+      return polygon.coveringOrigin() + 8 * size * Vec2(random.real(-1, 1), random.real(-1, 1));
     case 1:
       return size * (v / size + Vec2(random.integer(-2, 2), random.integer(-2, 2)));
     case 2:

@@ -17,7 +17,7 @@
 #include "tricover/distance.h"
 #include "tricover/locate.h"
 #include "tricover/prepare.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -86,7 +86,7 @@ TEST(InfluenceField, CellsKnowHowFarTheOutlineIsAndOnWhichSide) {
       const double distance = distanceInUnits(data, p);
       EXPECT_LE(look.free, distance * (1 + 1e-12) + 1e-12) << i;
       EXPECT_GE(look.near, distance * (1 - 1e-12) - 1e-12) << i;
-      const bool is_inside = locate(polygon, polygon.origin() + p * data.unit) == Location::Inside;
+      const bool is_inside = locate(polygon, polygon.coveringOrigin() + p * data.unit) == Location::Inside;
       if (look.free > 1e-9) {
         EXPECT_EQ(look.inside, is_inside) << i;
       }
@@ -192,7 +192,7 @@ TEST(InfluenceField, NoAnswerDependsOnIt) {
     const Polygon without = afresh(with);
     const double size = radius * std::pow(10, random.real(-3, -1));
     const Ring ring = star(random, random.integer(3, 12), 0.3, 1);
-    const Polygon small = random.oneIn(5) ? point({0, 0}) : Polygon({scaled(ring, size)});
+    const Polygon small = random.oneIn(5) ? Polygon::point({0, 0}) : Polygon({scaled(ring, size)});
     const Pose pose_a = turnedAndMoved(random.real(0, 6), radius, -radius);
     for (int k = 0; k < 60; ++k) {
       Pose pose_b = turnedAndMoved(random.real(0, 6), 0, 0);
@@ -200,7 +200,7 @@ TEST(InfluenceField, NoAnswerDependsOnIt) {
       const EdgeIndex edge = anyEdge(random, with);
       const Vec2 away = random.coin() ? radius * Vec2(random.real(-1, 1), random.real(-1, 1))
                                       : size * Vec2(random.real(-2, 2), random.real(-2, 2));
-      pose_b.translation() = pose_a * (random.coin() ? with.edgeStart(edge) : with.origin()) + away;
+      pose_b.translation() = pose_a * (random.coin() ? with.edgeStart(edge) : with.coveringOrigin()) + away;
       const double margin = random.oneIn(3) ? random.unit() * size : 0, limit = 3 * random.unit() * size;
       const auto answers = [&](const Polygon& a) { return Answers(a, pose_a, small, pose_b, margin, limit); };
       const auto expected = [&] {

@@ -13,7 +13,7 @@
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/trajectory.h"
 
@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kErrors[] = {1e-2, 1e-6, 1e-9, 1e-12};
 
-Motion still(double x, double y) { return Motion::still(tricover::pose(x, y)); }
-Motion slide(double x, double y, const Vec2& shift) { return Motion::translation(tricover::pose(x, y), shift); }
+Motion still(double x, double y) { return Motion::still(tricover::poseAt(x, y)); }
+Motion slide(double x, double y, const Vec2& shift) { return Motion::translation(tricover::poseAt(x, y), shift); }
 
 ImpactOptions within(double time_error, bool ignore_initial = false, double margin = 0) {
   ImpactOptions options;
@@ -43,7 +43,7 @@ void expectOne(const std::vector<Conflict>& found, double begin, double end, dou
 }
 
 TEST(LastingContact, ACrateOnAFloor) {
-  const Polygon floor = box(20, 1), crate = box(1, 1);
+  const Polygon floor = Polygon::box(20, 1), crate = Polygon::box(1, 1);
   for (const double error : kErrors) {
     SCOPED_TRACE(error);
     const Motion slides = slide(-2, 1, {4, 0}), leaves = slide(-2, 1, {40, 0});
@@ -86,12 +86,12 @@ TEST(LastingContact, OverManyFeatures) {
   for (Ring* ring : {&flat, &teeth}) {
     ring->insert(ring->end(), {{10, -1}, {-10, -1}});
     const Polygon floor(*ring);
-    expectOne(conflicts(floor, still(0, 0), box(1, 1), slide(-8, 0.5, {16, 0}), within(1e-9)), 0, 1, 0);
+    expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 1), slide(-8, 0.5, {16, 0}), within(1e-9)), 0, 1, 0);
   }
   std::vector<TimedPose> waypoints;
-  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), tricover::pose(-9 + 0.3 * i, 1)});
+  for (int i = 0; i <= 60; ++i) waypoints.push_back({static_cast<double>(i), tricover::poseAt(-9 + 0.3 * i, 1)});
   const Trajectory rests({{0, 60, still(0, 0)}}), slides = Trajectory::through(waypoints);
-  const Polygon floor = box(20, 1), crate = box(1, 1);
+  const Polygon floor = Polygon::box(20, 1), crate = Polygon::box(1, 1);
   EXPECT_FALSE(timeOfImpact(floor, rests, crate, slides, within(1e-6, true)));
   expectOne(conflicts(floor, rests, crate, slides, within(1e-6)), 0, 60, 0);
   EXPECT_TRUE(conflicts(floor, rests, crate, slides, within(1e-6, true)).empty());
@@ -99,7 +99,7 @@ TEST(LastingContact, OverManyFeatures) {
 
 /// A body that is sunk by a little, a rod through a floor, and what is held and leaves its edge slowly.
 TEST(LastingContact, ThatIsHardlyDeep) {
-  const Polygon floor = box(20, 1), crate = box(1, 1), rod = segment({0, -1}, {0, 1});
+  const Polygon floor = Polygon::box(20, 1), crate = Polygon::box(1, 1), rod = Polygon::segment({0, -1}, {0, 1});
   for (const double error : kErrors) {
     SCOPED_TRACE(error);
     for (const double sunk : {1e-3, 1e-6, 1e-9, 1e-11}) {
@@ -107,17 +107,17 @@ TEST(LastingContact, ThatIsHardlyDeep) {
       expectOne(conflicts(floor, still(0, 0), crate, slide(-5, 1 - sunk, {10, 0}), within(error)), 0, 1, 0);
       expectOne(conflicts(floor, still(0, 0), rod, slide(-5, 1.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
       // Held, beside its edge.
-      expectOne(conflicts(floor, still(0, 0), point({0, 0}), slide(-5, 0.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
-      expectOne(conflicts(floor, still(0, 0), box(1, 0.25), slide(-5, 0.375 - sunk, {10, 0}), within(error)), 0, 1, 0);
-      expectOne(conflicts(box(4, 4), still(0, 0), crate, slide(-1, 2.5 + 1 - sunk, {2, 0}), within(error, false, 1)), 0,
+      expectOne(conflicts(floor, still(0, 0), Polygon::point({0, 0}), slide(-5, 0.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 0.25), slide(-5, 0.375 - sunk, {10, 0}), within(error)), 0, 1, 0);
+      expectOne(conflicts(Polygon::box(4, 4), still(0, 0), crate, slide(-1, 2.5 + 1 - sunk, {2, 0}), within(error, false, 1)), 0,
                 1, 0);
     }
     Motion along = slide(-5, 0.5, {10, 0});
     along.shift_2 = Vec2(0, -0.75);
-    expectOne(conflicts(floor, still(0, 0), point({0, 0}), along, within(error)), 0, 1, 0);
-    expectOne(conflicts(floor, still(0, 0), box(1, 0.5), along, within(error)), 0, 1, 0);
+    expectOne(conflicts(floor, still(0, 0), Polygon::point({0, 0}), along, within(error)), 0, 1, 0);
+    expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 0.5), along, within(error)), 0, 1, 0);
     const Motion alike = slide(1e-15, 0, {-3.5, 0.5});
-    EXPECT_LE(conflicts(point({0, 0}), slide(0, 0, {-3.5, 0.5}), point({0, 0}), alike, within(error)).size(), 1u);
+    EXPECT_LE(conflicts(Polygon::point({0, 0}), slide(0, 0, {-3.5, 0.5}), Polygon::point({0, 0}), alike, within(error)).size(), 1u);
   }
 }
 
@@ -137,7 +137,7 @@ TEST(ContactAtTheStart, DocksAreLeftFreely) {
       SCOPED_TRACE(at);
       const Polygon floor({rectangle(-5, -of_floor, 5, of_floor)});
       const Polygon robot({rectangle(-0.5, -of_robot, 0.5, of_robot)});
-      const bool touch = collide(floor, tricover::pose(0, 0), robot, tricover::pose(0, at));
+      const bool touch = collide(floor, tricover::poseAt(0, 0), robot, tricover::poseAt(0, at));
       ++(touch ? together : apart);
       EXPECT_FALSE(timeOfImpact(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true)));
       EXPECT_TRUE(conflicts(floor, still(0, 0), robot, slide(0, at, {0, 1}), within(1e-6, true)).empty());
@@ -181,7 +181,7 @@ TEST(ContactAtTheStart, PosesOffRigid) {
 
 /// Two segments that stay as near to each other as that, or tip from there.
 TEST(ContactAtTheStart, SegmentsBesideEachOther) {
-  const Polygon rod = segment({0, 0}, {1, 0});
+  const Polygon rod = Polygon::segment({0, 0}, {1, 0});
   for (const double gap : {0.0, 3.4e-9, 1e-12, 1e-15})
     for (const bool is_exact : {false, true})
       for (const double angle : {0.0, 0.3, 2.0, -M_PI}) {
@@ -213,7 +213,7 @@ TEST(AbsentOutside, OfBodiesInAScene) {
   const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}),
       passes({{0, 20, slide(-10, 0, {20, 0})}});
   Scene scene;
-  const BodyHandle a = scene.add(box(1, 1), still(0, 0).start), b = scene.add(box(1, 1), still(0, 0).start);
+  const BodyHandle a = scene.add(Polygon::box(1, 1), still(0, 0).start), b = scene.add(Polygon::box(1, 1), still(0, 0).start);
   ImpactOptions all;
   all.absent_outside = true;
   const std::vector<BodyTrajectory> in_turn = {{a, first}, {b, second}};
@@ -233,7 +233,7 @@ TEST(AbsentOutside, OfBodiesInAScene) {
 }
 
 TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {
-  const Polygon robot = box(1, 1);
+  const Polygon robot = Polygon::box(1, 1);
   const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}), longer({{5, 15, still(0.5, 0)}});
   EXPECT_EQ(conflicts(robot, first, robot, second).size(), 1u);  // they rest
   ImpactOptions absent;
@@ -244,7 +244,7 @@ TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {
   EXPECT_EQ(timeOfImpact(robot, first, robot, longer, absent)->time, 5);
 }
 
-const Polygon kSquare = box(2, 2), kNotched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
+const Polygon kSquare = Polygon::box(2, 2), kNotched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});
 const Motion kStill;
 
 /// Triangles side by side that share an apex at the origin, to the left or to the right of it.
@@ -291,10 +291,10 @@ TEST(ImpactBudget, LastsWhereAnOverlapStaysExactlyAsDeepAsIsAllowed) {
 /// A box leaves the hole that it fills: it stays in what is around it, however far it goes. And one of a size that is
 /// nothing beside its way slides along a wall.
 TEST(ImpactBudget, LastsForExtremeRatios) {
-  const Polygon hole = box(1, 1).complement();
+  const Polygon hole = Polygon::box(1, 1).complement();
   for (const double far : {1e60, 1e100, 1e150, 1e300}) {
     SCOPED_TRACE(far);
-    expectOne(conflicts(hole, kStill, box(1, 1), slide(0, 0, {0, far})), 0, 1, 0);
+    expectOne(conflicts(hole, kStill, Polygon::box(1, 1), slide(0, 0, {0, far})), 0, 1, 0);
   }
   for (const double size : {1e-30, 1e-70, 1e-150, 1e-300}) {
     const Polygon speck({{{0, 0}, {size, 0}, {size, size}, {0, size}}});

@@ -14,7 +14,7 @@
 #include "tricover/conflicts.h"
 #include "tricover/depth.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 #include "tricover/time_of_impact.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 const Pose kHere = Pose::Identity();
 
-Pose at(double x, double y, double heading = 0) { return tricover::pose(x, y, heading); }
+Pose at(double x, double y, double heading = 0) { return tricover::poseAt(x, y, heading); }
 Motion still(double x, double y) { return Motion::still(at(x, y)); }
 Motion slide(double x, double y, const Vec2& by) { return Motion::translation(at(x, y), by); }
 
@@ -63,7 +63,7 @@ void expectDeepTimesWithin(const Polygon& a, const Motion& way_a, const Polygon&
 }
 
 TEST(NegativeMarginFaults, InACorner) {
-  const Polygon room = box(10, 10).complement(), crate = box(2, 2);
+  const Polygon room = Polygon::box(10, 10).complement(), crate = Polygon::box(2, 2);
   EXPECT_FALSE(collides(room, crate, at(-4 - 1e-12, -4 - 1e-12), -1));
   EXPECT_TRUE(collides(room, crate, at(-4.01, -4.01), -0.0141));
   EXPECT_FALSE(collides(room, crate, at(-4.01, -4.01), -0.0142));
@@ -86,7 +86,7 @@ TEST(NegativeMarginFaults, InACornerOfALargeMap) {
   Ring map{{0, 0}, {9, 0}, {9, 1}, {1, 1}};
   for (int i = 1; i < 5000; ++i) map.emplace_back(1, 1 + 8.0 * i / 5000);
   map.insert(map.end(), {{1, 9}, {0, 9}});
-  const Polygon corner(map), crate = box(2, 2);
+  const Polygon corner(map), crate = Polygon::box(2, 2);
   Random random(1);
   int deep = 0;
   for (int i = 0; i < 100; ++i) {
@@ -102,7 +102,7 @@ TEST(NegativeMarginFaults, InACornerOfALargeMap) {
 
 TEST(NegativeMarginFaults, InADockThatFitsExactly) {
   const Polygon dock({{{0, -.5}, {.8, -.5}, {.8, .5}, {0, .5}, {0, .25}, {.6, .25}, {.6, -.25}, {0, -.25}}});
-  const Polygon plug = box(.6, .5);
+  const Polygon plug = Polygon::box(.6, .5);
   EXPECT_FALSE(collides(dock, plug, at(.301, 0), -0.01));
   EXPECT_TRUE(collides(dock, plug, at(.301, 0), -0.0009));
   for (const double overlap : {1e-6, 1e-3})
@@ -114,20 +114,20 @@ TEST(NegativeMarginFaults, InADockThatFitsExactly) {
 }
 
 TEST(NegativeMarginFaults, SegmentsThroughBodies) {
-  EXPECT_TRUE(collides(box(4, 2), segment({0, 0.5}, {3, -1.5}), kHere, -0.5));
-  EXPECT_TRUE(collides(box(4, 2), segment({0, 0.5}, {3, -1.5}), kHere, -1 + 1e-12));
-  EXPECT_FALSE(collides(box(4, 2), segment({0, 0.5}, {3, -1.5}), kHere, -1 - 1e-12));
-  EXPECT_FALSE(collides(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere, -1e-9));
+  EXPECT_TRUE(collides(Polygon::box(4, 2), Polygon::segment({0, 0.5}, {3, -1.5}), kHere, -0.5));
+  EXPECT_TRUE(collides(Polygon::box(4, 2), Polygon::segment({0, 0.5}, {3, -1.5}), kHere, -1 + 1e-12));
+  EXPECT_FALSE(collides(Polygon::box(4, 2), Polygon::segment({0, 0.5}, {3, -1.5}), kHere, -1 - 1e-12));
+  EXPECT_FALSE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, -1e-9));
   // Down into the plate, up to a quarter.
   const auto impact =
-      timeOfImpact(box(4, 2), still(0, 0), segment({-1, 0}, {1, 0}), slide(0, 2, {0, -2}), allowing(0.25));
+      timeOfImpact(Polygon::box(4, 2), still(0, 0), Polygon::segment({-1, 0}, {1, 0}), slide(0, 2, {0, -2}), allowing(0.25));
   ASSERT_TRUE(impact);
   EXPECT_NEAR(impact->time, 0.625, 1e-5);
   EXPECT_LE(impact->time, 0.625 + 1e-12);
   Random random(11);
   for (int i = 0; i < scaledCount(60); ++i) {
     const Polygon thick(random.coin() ? star(random, 7, 0.5, 1.5) : rectangle(-2, -1, 2, 1));
-    const Polygon thin = segment({random.real(-2, 0), random.real(-2, 2)}, {random.real(0, 2), random.real(-2, 2)});
+    const Polygon thin = Polygon::segment({random.real(-2, 0), random.real(-2, 2)}, {random.real(0, 2), random.real(-2, 2)});
     Motion motion = slide(random.real(-3, 3), random.real(-3, 3), {random.real(-6, 6), random.real(-6, 6)});
     if (random.coin()) motion.angle = random.real(-3, 3);
     SCOPED_TRACE(i);
@@ -197,41 +197,41 @@ TEST(NegativeMarginFaults, TwoComplementsAlwaysCollide) {
 /// A true answer stays true as the margin grows, through 0.
 TEST(NegativeMarginFaults, IsMonotoneThroughZero) {
   const std::vector<double> margins{-1e300, -0.51, -0.5, -0.25, -1e-300, -5e-324, 0, 5e-324, 1e-300, 0.25, 1e300};
-  const std::vector<Polygon> inner = {point({0.5, 0}), segment({-3, 0.5}, {3, 0.5}), segment({0.5, 0}, {9, 9}),
-                                      box(0.5, 0.5)};
+  const std::vector<Polygon> inner = {Polygon::point({0.5, 0}), Polygon::segment({-3, 0.5}, {3, 0.5}), Polygon::segment({0.5, 0}, {9, 9}),
+                                      Polygon::box(0.5, 0.5)};
   for (const Polygon& thin : inner) {
     bool before = false, open_before = false;
     for (const double margin : margins) {
-      const bool now = collides(box(2, 2), thin, kHere, margin),
-                 open = collides(box(2, 2), thin, kHere, margin, Touching::Allowed);
+      const bool now = collides(Polygon::box(2, 2), thin, kHere, margin),
+                 open = collides(Polygon::box(2, 2), thin, kHere, margin, Touching::Allowed);
       EXPECT_GE(now, before) << margin;
       EXPECT_GE(open, open_before) << margin;
       EXPECT_GE(now, open) << margin;
       before = now, open_before = open;
     }
     EXPECT_TRUE(open_before);
-    EXPECT_TRUE(collides(box(2, 2), thin, kHere, 0, Touching::Allowed));
+    EXPECT_TRUE(collides(Polygon::box(2, 2), thin, kHere, 0, Touching::Allowed));
   }
-  EXPECT_FALSE(collides(box(2, 2), point({1, 0}), kHere, 0, Touching::Allowed));
-  EXPECT_FALSE(collides(box(2, 2), segment({-1, 1}, {1, 1}), kHere, 0, Touching::Allowed));
-  EXPECT_FALSE(collides(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere, 0, Touching::Allowed));
-  EXPECT_TRUE(collides(segment({-1, 0}, {1, 0}), segment({0, -1}, {0, 1}), kHere, 0));
+  EXPECT_FALSE(collides(Polygon::box(2, 2), Polygon::point({1, 0}), kHere, 0, Touching::Allowed));
+  EXPECT_FALSE(collides(Polygon::box(2, 2), Polygon::segment({-1, 1}, {1, 1}), kHere, 0, Touching::Allowed));
+  EXPECT_FALSE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, 0, Touching::Allowed));
+  EXPECT_TRUE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, 0));
 }
 
 TEST(NegativeMarginFaults, WhatTheMeasureSaysOfWalls) {
   // Crossing bars: true in 0.3.
-  EXPECT_FALSE(collides(box(4, 0.1), box(0.1, 4), kHere, -0.06));
-  EXPECT_TRUE(collides(box(4, 0.1), box(0.1, 4), kHere, -0.05));
+  EXPECT_FALSE(collides(Polygon::box(4, 0.1), Polygon::box(0.1, 4), kHere, -0.06));
+  EXPECT_TRUE(collides(Polygon::box(4, 0.1), Polygon::box(0.1, 4), kHere, -0.05));
   // A thin wall through a robot is as deep as the robot.
-  EXPECT_TRUE(collides(box(0.01, 10), box(1, 1), kHere, -0.49));
-  EXPECT_FALSE(collides(box(0.01, 10), box(1, 1), kHere, -0.51));
+  EXPECT_TRUE(collides(Polygon::box(0.01, 10), Polygon::box(1, 1), kHere, -0.49));
+  EXPECT_FALSE(collides(Polygon::box(0.01, 10), Polygon::box(1, 1), kHere, -0.51));
   // Ten slabs in a scene are no wall: each pair is asked for itself.
   Scene slabs, wall;
-  const Polygon slab = box(0.02, 1), speck = box(0.15, 0.15);
+  const Polygon slab = Polygon::box(0.02, 1), speck = Polygon::box(0.15, 0.15);
   for (int i = 0; i < 10; ++i) slabs.add(slab, at(0.02 * i - 0.09, 0));
-  wall.add(box(0.2, 1), kHere);
-  EXPECT_FALSE(slabs.collides(box(0.15, 1), at(0, 0), {-0.08, 0}));
-  EXPECT_TRUE(wall.collides(box(0.15, 1), at(0, 0), {-0.08, 0}));
+  wall.add(Polygon::box(0.2, 1), kHere);
+  EXPECT_FALSE(slabs.collides(Polygon::box(0.15, 1), at(0, 0), {-0.08, 0}));
+  EXPECT_TRUE(wall.collides(Polygon::box(0.15, 1), at(0, 0), {-0.08, 0}));
   EXPECT_TRUE(slabs.collides(speck, at(0, 0), {-0.07, 0}));
 }
 
@@ -241,13 +241,13 @@ TEST(NegativeMarginFaults, MarginsAddUp) {
   BodyOptions disc, less;
   disc.margin = 0.3;
   less.margin = -0.001;
-  scene.add(point({0, 0}), kHere, disc);
-  const Scene::Body plate = scene.add(box(2, 2), at(1.2995, 0), less);
+  scene.add(Polygon::point({0, 0}), kHere, disc);
+  const Scene::Body plate = scene.add(Polygon::box(2, 2), at(1.2995, 0), less);
   EXPECT_TRUE(scene.collisions().empty());
   scene.move(plate, at(1.2985, 0));
   EXPECT_EQ(scene.collisions().size(), 1u);
-  EXPECT_FALSE(scene.collides(box(2, 2), at(-1.2995, 0), {-0.001, 0}));
-  EXPECT_TRUE(scene.collides(box(2, 2), at(-1.2985, 0), {-0.001, 0}));
+  EXPECT_FALSE(scene.collides(Polygon::box(2, 2), at(-1.2995, 0), {-0.001, 0}));
+  EXPECT_TRUE(scene.collides(Polygon::box(2, 2), at(-1.2985, 0), {-0.001, 0}));
 }
 
 /// Found by the soak: pieces of an outline that lie within the other region, but no deeper than rounding tells, touch
@@ -295,11 +295,11 @@ TEST(NegativeMarginFaults, AtTheStartRoundingDecidesForTimesOfImpactAsForCollide
     const Pose pose_b = at((pose_a * on).x(), (pose_a * on).y());
     const double margin = random.coin() ? -5e-324 : -std::pow(10, random.real(-20, -14));
     const Motion rests = Motion::still(pose_a), moves = Motion::translation(pose_b, {random.real(-1, 1), 0});
-    const bool is_deep = collide(ring, pose_a, point({0, 0}), pose_b, {margin, 0});
+    const bool is_deep = collide(ring, pose_a, Polygon::point({0, 0}), pose_b, {margin, 0});
     ImpactOptions options;
     options.margin = margin;
-    const auto moving = timeOfImpact(ring, rests, point({0, 0}), moves, options);
-    const auto still = timeOfImpact(ring, rests, point({0, 0}), Motion::still(pose_b), options);
+    const auto moving = timeOfImpact(ring, rests, Polygon::point({0, 0}), moves, options);
+    const auto still = timeOfImpact(ring, rests, Polygon::point({0, 0}), Motion::still(pose_b), options);
     EXPECT_EQ(moving && moving->time == 0, is_deep) << i;
     EXPECT_EQ(still && still->time == 0, is_deep) << i;
     ++(is_deep ? deep : shallow);

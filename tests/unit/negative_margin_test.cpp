@@ -21,7 +21,7 @@
 #include "tricover/penetration.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -30,11 +30,11 @@ namespace {
 constexpr double kErrors[] = {1e-2, 1e-6, 1e-9, 1e-12};
 constexpr double kAllowed[] = {1e-9, 1e-6, 1e-3, 0.05};
 
-const Polygon kFloor = box(20, 1), kCrate = box(1, 1);
+const Polygon kFloor = Polygon::box(20, 1), kCrate = Polygon::box(1, 1);
 /// A floor at height 0.5 with a wall at x = 1.5.
 const Polygon kRoom(Ring{{-10, -1}, {10, -1}, {10, 5}, {1.5, 5}, {1.5, 0.5}, {-10, 0.5}});
 
-Pose at(double x, double y) { return tricover::pose(x, y); }
+Pose at(double x, double y) { return tricover::poseAt(x, y); }
 Motion still(double x, double y) { return Motion::still(at(x, y)); }
 Motion slide(double x, double y, const Vec2& shift) { return Motion::translation(at(x, y), shift); }
 
@@ -159,7 +159,7 @@ TEST(NegativeMargin, ACorridorOfTheCratesOwnWidth) {
 }
 
 TEST(NegativeMargin, WhatStartsDeeper) {
-  const Polygon square = box(2, 2);
+  const Polygon square = Polygon::box(2, 2);
   for (const double error : kErrors) {
     SCOPED_TRACE(error);
     const Motion passes = slide(0.5, 0, {10, 0});
@@ -176,7 +176,7 @@ TEST(NegativeMargin, WhatStartsDeeper) {
 
 /// A robot in a yard of which all the outside is forbidden, along one wall to the next.
 TEST(NegativeMargin, InsideOfAComplement) {
-  const Polygon outside = box(20, 10).complement();
+  const Polygon outside = Polygon::box(20, 10).complement();
   EXPECT_FALSE(timeOfImpact(outside, still(0, 0), kCrate, slide(-5, 4.5, {10, 0}), allowing(1e-6)));
   expectImpact(timeOfImpact(outside, still(0, 0), kCrate, slide(-5, 4.5, {20, 0}), allowing(1e-6)), (14.5 + 1e-6) / 20,
                1e-6);
@@ -210,7 +210,7 @@ TEST(NegativeMargin, InScenes) {
   // Where nothing is deep enough, a large body learns no box that is clear.
   Scene large;
   large.add(kRoom, at(0, 0));
-  const Polygon speck = box(0.1, 0.1);
+  const Polygon speck = Polygon::box(0.1, 0.1);
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(large.collides(speck, at(5, 2), {-5, 0}));
   EXPECT_TRUE(large.collides(speck, at(5, 2)));
   const auto impact = scene.firstImpact(kCrate, slide(-8, 1, {16, 0}), allowing(1e-6));

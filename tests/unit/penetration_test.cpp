@@ -15,7 +15,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "tricover/collide.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -378,7 +378,7 @@ TEST(Arguments, PosesAreChecked) {
 /// A margin so small that its product with a length underflows.
 TEST(Margin, OfNextToNothingIsNone) {
   Random random(3);
-  const Polygon ring({star(random, 12, 0.4, 1)}), dot = point(ring.origin());
+  const Polygon ring({star(random, 12, 0.4, 1)}), dot = Polygon::point(ring.coveringOrigin());
   const auto without = penetration(ring, kIdentity, dot, kIdentity);
   ASSERT_TRUE(without);
   for (const double margin : {1e-200, 1e-300, 5e-324}) {

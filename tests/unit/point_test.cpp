@@ -24,7 +24,7 @@
 #include "test_scale.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -46,7 +46,7 @@ Case besidePoint(Random& random, const Case& c) {
   const int place = random.integer(0, 3);
   const Vec2 p = place == 0 ? polygon.edgeStart(edge) : place == 1 ? nudged(random, on_edge, 2) : around;
   const Pose& pose = random.coin() ? c.pose_a : c.pose_b;
-  return {polygon, c.pose_a, point(p.allFinite() ? p : on_edge), random.oneIn(4) ? pose : c.pose_a};
+  return {polygon, c.pose_a, Polygon::point(p.allFinite() ? p : on_edge), random.oneIn(4) ? pose : c.pose_a};
 }
 
 /// What the nearest edges say, where they are a way to tell.
@@ -62,7 +62,7 @@ std::string wrongEdge(const Case& c, const DistanceResult& nearest, const mpq_cl
   const mpq_class low = d > error ? mpq_class(d - error) : mpq_class(0);
   if ((sgn(d) == 0) != (sgn(squared) == 0)) return "inside or outside";
   if (sgn(d) == 0) return nearest.edge_a == -1 ? "" : "an edge";
-  const Polygon alone = segment(c.a.edgeStart(nearest.edge_a), c.a.edgeEnd(nearest.edge_a));
+  const Polygon alone = Polygon::segment(c.a.edgeStart(nearest.edge_a), c.a.edgeEnd(nearest.edge_a));
   const mpq_class of_edge = exact::distanceSquared(alone, c.pose_a, c.b, c.pose_b);
   if (of_edge < low * low || of_edge > high * high) return "distance";
   return squared < low * low ? "another edge is nearer" : "";
@@ -109,7 +109,7 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   Ring ring;  // a bar of more edges than are asked at once
   for (int i = 0; i < 40; ++i) ring.push_back({i - 20.0, -4});
   for (int i = 0; i < 40; ++i) ring.push_back({20.0 - i, 4});
-  const Polygon bar({ring}), dot = point({0, 0});
+  const Polygon bar({ring}), dot = Polygon::point({0, 0});
   PairCache cache;
   CollideOptions options;
   options.margin = 5;
@@ -133,7 +133,7 @@ TEST(Point, WhoseCoordinatesCancel) {
   for (int i = 0; i < asked; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const double size = std::pow(10, random.real(-3, 6));
-    const Polygon a = point({size, 0}), b = point({-size, 0});
+    const Polygon a = Polygon::point({size, 0}), b = Polygon::point({-size, 0});
     const Pose pose_a = randomPose(random, 1);
     Pose pose_b = randomPose(random, 1);
     pose_b.translation() += pose_a.linear() * Vec2(size, 0) - pose_b.linear() * Vec2(-size, 0);
@@ -158,14 +158,14 @@ TEST(Point, IsMostlyPlain) {
   for (int i = 0; i < asked; ++i) {
     const Polygon a({regular(random.integer(3, 100), 50)});
     const Vec2 at = random.real(75, 200) * direction(random.real(-3, 3));
-    const auto nearest = byEdges(a, kStill, point({0, 0}), turnedAndMoved(random.real(-3, 3), at.x(), at.y()));
+    const auto nearest = byEdges(a, kStill, Polygon::point({0, 0}), turnedAndMoved(random.real(-3, 3), at.x(), at.y()));
     plain += nearest.has_value();
     EXPECT_FALSE(nearest && nearest->distance == 0);
   }
   EXPECT_GE(plain, 0.9 * asked);
   // Nearly touching is no matter for plain doubles, but for two-fold numbers.
   const Polygon square({rectangle(-1, -1, 1, 1)});
-  const auto near = byEdges(square, kStill, point({1 + 1e-12, 0}), kStill);
+  const auto near = byEdges(square, kStill, Polygon::point({1 + 1e-12, 0}), kStill);
   ASSERT_TRUE(near);
   const double gap = (1 + 1e-12) - 1;
   EXPECT_NEAR(near->distance, gap, gap * 0x1p-47);

@@ -24,7 +24,6 @@
 #include "tricover/distance.h"
 #include "tricover/locate.h"
 #include "tricover/paper.h"
-#include "tricover/segment.h"
 
 namespace tricover::support {
 namespace {
@@ -160,7 +159,7 @@ TEST(Polygon, CoveringHasOneTriangleAnEdgeWithTheSignOfItsArea) {
   ASSERT_EQ(covering.size(), polygon.vertexCount());
   for (EdgeIndex edge = 0; edge < polygon.edgeCount(); ++edge) {
     const paper::CoveringTriangle& t = covering[static_cast<std::size_t>(edge)];
-    EXPECT_EQ(t.s, polygon.origin());
+    EXPECT_EQ(t.s, polygon.coveringOrigin());
     EXPECT_EQ(t.v, polygon.edgeStart(edge));
     EXPECT_EQ(t.w, polygon.edgeEnd(edge));
     const mpq_class area = (mpq_class(t.v.x()) - t.s.x()) * (mpq_class(t.w.y()) - t.s.y()) -
@@ -183,7 +182,7 @@ TEST(Polygon, IsAsItWasWhenMovedFrom) {
 
 /// The edge that a result names is one with a length, unless there is none, and the nearest point is on it.
 TEST(RepeatedVertices, AreNoEdgesOfResults) {
-  const Polygon probe = box(0.5, 0.25);
+  const Polygon probe = Polygon::box(0.5, 0.25);
   for (const std::vector<Ring>& rings : cases()) {
     const Polygon polygon(rings);
     for (int i = 0; i < 24; ++i) {
@@ -191,9 +190,9 @@ TEST(RepeatedVertices, AreNoEdgesOfResults) {
       const DistanceResult found = distance(polygon, kHere, probe, at);
       const Vec2 v = polygon.edgeStart(found.edge_a), w = polygon.edgeEnd(found.edge_a);
       EXPECT_LE((found.point_a - v).norm() + (w - found.point_a).norm(), (w - v).norm() + 1e-12);
-      EXPECT_NEAR(distance(segment(v, w), kHere, probe, at).distance, found.distance, 1e-12);
+      EXPECT_NEAR(distance(Polygon::segment(v, w), kHere, probe, at).distance, found.distance, 1e-12);
       const Vec2 middle = at.translation();
-      for (const Crossing& crossing : crossings(polygon, kHere, segment(-middle, middle), kHere))
+      for (const Crossing& crossing : crossings(polygon, kHere, Polygon::segment(-middle, middle), kHere))
         EXPECT_LE((crossing.point - polygon.edgeStart(crossing.edge_a)).norm(),
                   (polygon.edgeEnd(crossing.edge_a) - polygon.edgeStart(crossing.edge_a)).norm() + 1e-12);
     }
@@ -207,7 +206,7 @@ TEST(RepeatedVertices, AreNoEdgesOfResults) {
 }
 
 TEST(RepeatedVertices, OfASegmentOrAPointCrossOnce) {
-  const Polygon square = box(2, 2);
+  const Polygon square = Polygon::box(2, 2);
   // Both edges of the segment meet the square's right side, edge 1.
   const std::vector<Crossing> found = crossings(square, kHere, Polygon({{{0, 0}, {0, 0}, {2, 0}, {0, 0}}}), kHere);
   ASSERT_EQ(found.size(), 2u);
@@ -226,7 +225,7 @@ TEST(RepeatedVertices, OfAPointLastInContact) {
       const Ring one{{0.25, 0.5}};
       const Polygon written({repeated(one, times)}), twice(std::vector<Ring>{repeated(one, times), repeated(one, 3)});
       const Motion way = Motion::translation(turnedAndMoved(0, -2.25, -0.5), {8, 0}), on = way.part(0.375, 1);
-      const auto expected = conflicts(floor, kStill, point(one[0]), way, {0, time_error});
+      const auto expected = conflicts(floor, kStill, Polygon::point(one[0]), way, {0, time_error});
       ASSERT_EQ(expected.size(), 1u);
       for (const Polygon& polygon : {written, twice}) {
         const auto found = conflicts(floor, kStill, polygon, way, {0, time_error});
@@ -263,10 +262,10 @@ TEST(PolygonMeasures, FillRulesDifferWhereRingsOverlap) {
 }
 
 TEST(PolygonMeasures, WithoutAnAreaTheCentroidIsTheMiddle) {
-  EXPECT_EQ(point({3, 4}).area(), 0);
-  EXPECT_EQ(point({3, 4}).centroid(), Vec2(3, 4));
-  EXPECT_EQ(segment({0, 0}, {2, 4}).area(), 0);
-  EXPECT_EQ(segment({0, 0}, {2, 4}).centroid(), Vec2(1, 2));
+  EXPECT_EQ(Polygon::point({3, 4}).area(), 0);
+  EXPECT_EQ(Polygon::point({3, 4}).centroid(), Vec2(3, 4));
+  EXPECT_EQ(Polygon::segment({0, 0}, {2, 4}).area(), 0);
+  EXPECT_EQ(Polygon::segment({0, 0}, {2, 4}).centroid(), Vec2(1, 2));
   // Four corners on a line, of which rounding makes an area.
   EXPECT_EQ(Polygon({{{1, -5}, {4, 4}, {5, 7}, {2, -2}}}).centroid(), Vec2(3, 1));
   // There and back along two lines, with other corners on the way back.
@@ -300,7 +299,7 @@ TEST(PolygonMeasures, ConvexIsOneRingOnceAround) {
   EXPECT_TRUE(Polygon({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}}}).isConvex());
   EXPECT_FALSE(Polygon({{{0, 0}, {4, 0}, {4, 4}, {3, 1}}}).isConvex());
   EXPECT_FALSE(Polygon({regular(7, 1), regular(7, 0.5)}).isConvex());
-  EXPECT_FALSE(point({0, 0}).isConvex());
+  EXPECT_FALSE(Polygon::point({0, 0}).isConvex());
 }
 
 TEST(PolygonMeasures, AreMovedAndScaled) {

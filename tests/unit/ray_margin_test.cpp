@@ -9,7 +9,7 @@
 #include "hierarchy/simd.h"
 #include "shapes.h"
 #include "tricover/ray.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -104,7 +104,7 @@ TEST(RayAll, WithAMarginAtExtremeRatios) {
       expectBegin(square, {0.2, large}, {0.1, -large}, margin);
       expectBegin(square.scaled(1 / large), {-3, 0.1}, {4, 0.1}, margin);
       expectBegin(square, {-3 / large, 0}, {4 / large, 0}, margin);
-      expectBegin(point({0, 0}), {-3, 0.1}, {4, 0.1}, margin * large < 1e308 ? margin * large : margin);
+      expectBegin(Polygon::point({0, 0}), {-3, 0.1}, {4, 0.1}, margin * large < 1e308 ? margin * large : margin);
     }
   // A tiny polygon is a disc.
   const auto disc = castRayAll(square.scaled(1e-100), here, {-3, 0.3}, {7, 0.3}, {0.5});

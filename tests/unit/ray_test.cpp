@@ -17,7 +17,7 @@
 #include "refusal.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -85,12 +85,12 @@ TEST(Ray, OfLengthZeroIsAPoint) {
 }
 
 TEST(Ray, MeetsPointsAndSegments) {
-  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, 4}).fraction, 0.25);
-  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, 4}).edge, 0);
-  EXPECT_NEAR(cast(point({1, 1}), {0, 0}, {4, 4}).normal.x(), -std::sqrt(0.5), 1e-15);
-  EXPECT_EQ(cast(point({1, 1}), {0, 0}, {4, std::nextafter(4.0, 5.0)}).edge, -2);
-  EXPECT_EQ(cast(segment({1, -1}, {1, 1}), {0, 0}, {4, 0}).normal, Vec2(-1, 0));
-  EXPECT_EQ(cast(segment({1, 0}, {3, 0}), {5, 0}, {1, 0}).fraction, 0.5);
+  EXPECT_EQ(cast(Polygon::point({1, 1}), {0, 0}, {4, 4}).fraction, 0.25);
+  EXPECT_EQ(cast(Polygon::point({1, 1}), {0, 0}, {4, 4}).edge, 0);
+  EXPECT_NEAR(cast(Polygon::point({1, 1}), {0, 0}, {4, 4}).normal.x(), -std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(cast(Polygon::point({1, 1}), {0, 0}, {4, std::nextafter(4.0, 5.0)}).edge, -2);
+  EXPECT_EQ(cast(Polygon::segment({1, -1}, {1, 1}), {0, 0}, {4, 0}).normal, Vec2(-1, 0));
+  EXPECT_EQ(cast(Polygon::segment({1, 0}, {3, 0}), {5, 0}, {1, 0}).fraction, 0.5);
 }
 
 /// Up to the limit the answer doesn't depend on it.
@@ -219,9 +219,9 @@ TEST(RayAll, TouchesVerticesAndRunsAlongEdges) {
   EXPECT_EQ(intervalsOf(abutting, {-1, 1}, {5, 1}), "2@0..5@2 8@3..8@4");
   const Polygon twice({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)});  // even-odd: edges alone
   EXPECT_EQ(intervalsOf(twice, {-1, 0.5}, {5, 0.5}), "3@0..3@0 1@1..1@1");
-  EXPECT_EQ(intervalsOf(segment({1, 0}, {3, 0}), {0, 0}, {4, 0}), "0@1..0@3");
-  EXPECT_EQ(intervalsOf(segment({1, 0}, {3, 0}), {2, 0}, {1, 0}), "-1@2..-1@1");
-  EXPECT_EQ(intervalsOf(point({1, 0}), {0, 0}, {4, 0}), "0@1..0@1");
+  EXPECT_EQ(intervalsOf(Polygon::segment({1, 0}, {3, 0}), {0, 0}, {4, 0}), "0@1..0@3");
+  EXPECT_EQ(intervalsOf(Polygon::segment({1, 0}, {3, 0}), {2, 0}, {1, 0}), "-1@2..-1@1");
+  EXPECT_EQ(intervalsOf(Polygon::point({1, 0}), {0, 0}, {4, 0}), "0@1..0@1");
 }
 
 TEST(RayAll, OfLengthZeroIsAPoint) {

@@ -82,7 +82,7 @@ TEST(Repair2Containment, OfEitherInTheOther) {
 // 3. The one-sided influence area is on the wrong side for edges whose triangle is negative.
 TEST(Repair3NegativeTriangles, HoleEdgesHaveTheirOuterSideTowardsS) {
   const Polygon frame({rectangle(-10, -10, 10, 10), reversed(rectangle(-5, -5, 5, 5))});
-  ASSERT_EQ(frame.origin(), Vec2(0, 0));
+  ASSERT_EQ(frame.coveringOrigin(), Vec2(0, 0));
   for (EdgeIndex edge = 4; edge < 8; ++edge) {
     ASSERT_EQ(paper::covering(frame)[static_cast<std::size_t>(edge)].sign, -1);
     const Vec2 middle = 0.5 * (frame.edgeStart(edge) + frame.edgeEnd(edge));
@@ -129,7 +129,7 @@ TEST(Repair4FillRule, ClockwiseRingsAndWindingsOfTwo) {
 // 5. Edges collinear with S have sign 0 and contribute nothing to the sum, yet their points are boundary points.
 TEST(Repair5EdgesThroughS, TheirPointsAreOnTheBoundary) {
   const Polygon polygon({rectangle(-4, -4, 4, 4), {{1, 0}, {2, 0}, {2, 1}}, {{-1, 0}, {-2, 0}, {-2, -1}}});
-  ASSERT_EQ(polygon.origin(), Vec2(0, 0));
+  ASSERT_EQ(polygon.coveringOrigin(), Vec2(0, 0));
   ASSERT_EQ(paper::covering(polygon)[4].sign, 0);
   expectLocation(Location::Boundary, polygon, {{1, 0}, {1.5, 0}, {2, 0}, {-1.25, 0}});
   expectLocation(Location::Inside, polygon, {{0, 0}, {0.5, 0}, {3, 0}, {1.5, -1e-300}});

@@ -179,8 +179,8 @@ TEST(RingStarts, OfVeryManyCrossings) {
 /// S itself, where the vertices that the covering might be taken from are near S, too.
 TEST(Locate, AtTheOriginOfTheCoveringBetweenVertices) {
   const Polygon waist({{{1e-3, 0}, {3, 3}, {0, 3}, {-3, 3}, {-1e-3, 0}, {-3, -3}, {0, -3}, {3, -3}}});
-  EXPECT_EQ(locate(waist, waist.origin()), Location::Inside);
-  EXPECT_EQ(exact::locate(waist, waist.origin()), Location::Inside);
+  EXPECT_EQ(locate(waist, waist.coveringOrigin()), Location::Inside);
+  EXPECT_EQ(exact::locate(waist, waist.coveringOrigin()), Location::Inside);
 }
 
 }  // namespace

@@ -315,7 +315,7 @@ TEST(Scene, ReportsTheImpactsOfWhatIsAboveTheLargestUnit) {
   const Motion still = Motion::still(far), here = Motion::still(there), origin = Motion::still(at(0));
   Motion turning = still;
   turning.angle = 3;
-  turning.pivot = huge.origin();
+  turning.pivot = huge.coveringOrigin();
   Scene scene;
   const Scene::Body a = scene.add(huge, far), b = scene.add(other, there), c = scene.add(kSquare, origin.start);
   for (const Motion& motion : {still, turning}) {

@@ -12,7 +12,7 @@
 
 #include "shapes.h"
 #include "tricover/prepare.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -72,7 +72,7 @@ TEST(Scene, AsksCategoriesAndMasks) {
 TEST(Scene, CastsRaysAtWhatIsFirst) {
   Scene scene;
   const Scene::Body far = scene.add(kSquare, at(9)), near = scene.add(kSquare, at(5)),
-                    disc = scene.add(point({0, 0}), at(2), {0.5, 2});
+                    disc = scene.add(Polygon::point({0, 0}), at(2), {0.5, 2});
   const auto hit = scene.castRay({0, 0}, {10, 0});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->body, disc);
@@ -120,7 +120,7 @@ TEST(Scene, AsksBodiesWhoseDiscsDecideNothing) {
 
 /// A point collides where it is in the interior, also where touching is allowed; on the border it doesn't.
 TEST(Scene, PointsCollideInsideWhereTouchingIsAllowed) {
-  const Polygon square({rectangle(-1, -1, 1, 1)}), dot = point({0.125, 0.25});
+  const Polygon square({rectangle(-1, -1, 1, 1)}), dot = Polygon::point({0.125, 0.25});
   prepare(square);
   const CollideOptions open{0, 0, Touching::Allowed};
   Scene scene;

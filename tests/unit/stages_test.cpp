@@ -120,7 +120,7 @@ void askAll(const Polygon& a, const Polygon& b, const Pose& pose_b) {
   timeOfImpact(a, Motion::still(kIdentity), b, motion);
   castRay(a, kIdentity, pose_b.translation(), Vec2(0.1, 0.2));
   locate(a, pose_b.translation());
-  distance(a, kIdentity, point(pose_b.translation()), kIdentity);
+  distance(a, kIdentity, Polygon::point(pose_b.translation()), kIdentity);
   paper::collide(a, kIdentity, b, pose_b);
   Scene scene;
   scene.add(a, kIdentity);
@@ -138,7 +138,7 @@ TEST(Stages, NothingIsBuiltAfterPrepare) {
     islands.push_back(star(random, 9, 0.2, 0.4, {i % 3 - 1, i / 3 - 1}));
     meeting.push_back(star(random, 9, 0.6, 0.9, {i % 3 - 1, i / 3 - 1}));
   }
-  std::vector<Polygon> polygons = {segment({-1, 0}, {1, 0.5}), point({0.1, 0})};
+  std::vector<Polygon> polygons = {Polygon::segment({-1, 0}, {1, 0.5}), Polygon::point({0.1, 0})};
   for (const std::vector<Ring>& rings :
        std::initializer_list<std::vector<Ring>>{{regular(8, 1)},
                                                 {regular(100, 1)},

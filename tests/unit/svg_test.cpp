@@ -15,7 +15,7 @@
 
 #include "shapes.h"
 #include "tricover/locate.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -171,7 +171,7 @@ TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
     std::vector<Polygon> boxes;
     for (const std::string& list : lists) boxes.emplace_back(std::vector<Ring>{points(list)});
     for (EdgeIndex edge = 0; edge < frame.edgeCount(); ++edge) {
-      const Vec2 vertex = pose_frame * frame.edgeStart(edge), inwards = (pose_frame * frame.origin() - vertex) * 1e-6;
+      const Vec2 vertex = pose_frame * frame.edgeStart(edge), inwards = (pose_frame * frame.coveringOrigin() - vertex) * 1e-6;
       // Boxes are rounded outwards by less than a millionth of what they hold; a thin one is as thin as its rounding.
       EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(),
                               [&](const Polygon& box) {
@@ -243,7 +243,7 @@ TEST(Svg, AnImpactShowsThePolygonsWhereTheyMeet) {
 TEST(Svg, ARoundRobotIsSeen) {
   const auto robot = [](const char* fill, const char* stroke) {
     return drawn([&](SvgDrawing& drawing) {
-      drawing.polygon(point({0, 0}), turnedAndMoved(0, 3, 4), fill, stroke, 0.5);
+      drawing.polygon(Polygon::point({0, 0}), turnedAndMoved(0, 3, 4), fill, stroke, 0.5);
     });
   };
   const std::string svg = robot("#16a34a", "#333");
@@ -275,7 +275,7 @@ TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
 TEST(Svg, ALonePointHasRoom) {
   for (const Vec2& at : {Vec2(0, 0), Vec2(3, -4), Vec2(-2e15, 1)})
     for (const std::string& svg : {drawn([&](SvgDrawing& drawing) { drawing.text(at, "here"); }),
-                                   drawn([&](SvgDrawing& drawing) { drawing.polygon(point(at), kHome, "#123"); })}) {
+                                   drawn([&](SvgDrawing& drawing) { drawing.polygon(Polygon::point(at), kHome, "#123"); })}) {
       EXPECT_EQ(pixels(svg), Vec2(800, 800));
       expectShows(svg, {nudged(at.x(), -1), nudged(at.y(), -1)}, {nudged(at.x(), 1), nudged(at.y(), 1)});
     }

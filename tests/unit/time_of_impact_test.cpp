@@ -11,7 +11,7 @@
 
 #include "refusal.h"
 #include "shapes.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover::support {
 namespace {
@@ -349,7 +349,7 @@ TEST(TimeOfImpact, MarginIsMetSoonerByAsMuch) {
   options.margin = std::nextafter(2, 0);
   EXPECT_GT(timeOfImpact(kSquare, motion, kWall, kStill, options)->time, 0);
   // Past a corner: a graze of the margin's disc around it.
-  const Polygon dot = point({0, 0}), corner({rectangle(5, 3, 6, 4)});
+  const Polygon dot = Polygon::point({0, 0}), corner({rectangle(5, 3, 6, 4)});
   options.margin = 3;
   EXPECT_NEAR(timeOfImpact(dot, going(0, 0, {5, 0}), corner, kStill, options)->time, 1, 1e-5);
   options.margin = 3 - 1e-9;
@@ -424,7 +424,7 @@ TEST(TimeOfImpact, OfAPointThatComesFromVeryFar) {
     for (int exponent = 60; exponent <= 1000; exponent += 20) {
       const double far = std::ldexp(1.0, exponent);
       SCOPED_TRACE(exponent);
-      expectImpact(a, kStill, point({0, 0}), going(-far, 0.25, {2 * far, 0}), 0.5);
+      expectImpact(a, kStill, Polygon::point({0, 0}), going(-far, 0.25, {2 * far, 0}), 0.5);
     }
   }
 }

@@ -15,7 +15,7 @@
 #include "random.h"
 #include "shapes.h"
 #include "test_scale.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {
@@ -45,7 +45,7 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
     const double size = std::pow(10, random.real(-3, 3)), other = size * random.real(0.05, 1);
     const std::vector<Ring> rings_a = anyRings(random, size), rings_b = anyRings(random, other);
     const bool is_segment = random.oneIn(8);
-    const Polygon a(rings_a), b = is_segment ? segment(Vec2(0, other), Vec2(other, 0)) : Polygon(rings_b);
+    const Polygon a(rings_a), b = is_segment ? Polygon::segment(Vec2(0, other), Vec2(other, 0)) : Polygon(rings_b);
     const Polygon b_repeated = is_segment ? b : goneRoundOften(rings_b);
     const Motion motion_a = randomMotion(random, a, size), motion_b = randomMotion(random, b, size);
     const double time_error = std::pow(10, random.integer(-12, -1));

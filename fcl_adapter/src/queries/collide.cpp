@@ -79,7 +79,7 @@ void addContacts(const PlanarPair& pair, const fcl::CollisionGeometry<S>& o1, co
   if (pair.shadow && pair.shadow->lift) {
     const bool first = pair.other == &pair.b;
     const Shadow::Lift& lift = *pair.shadow->lift;
-    return add((first ? pair.a : pair.b).polygon->origin(), (first ? 1 : -1) * lift.normal, lift.depth, -1, -1);
+    return add((first ? pair.a : pair.b).polygon->coveringOrigin(), (first ? 1 : -1) * lift.normal, lift.depth, -1, -1);
   }
   for (const PlanarContact& contact : contactsOf(pair, as_one, most))
     add(contact.point, {contact.normal.x(), contact.normal.y(), 0}, contact.depth, pair.idOf(pair.a, contact.edge_a),

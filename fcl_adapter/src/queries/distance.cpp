@@ -69,7 +69,7 @@ Span spanOf(const PlanarPair& pair, const tricover::DistanceResult& found) {
 /// The distance of a polygon from a geometry that covers all of its plane.
 Span liftOf(const PlanarPair& pair, const Shadow::Lift& lift, bool is_signed) {
   const bool first = pair.other == &pair.b;
-  const Eigen::Vector3d at = pair.inWorld((first ? pair.a : pair.b).polygon->origin(), pair.middle());
+  const Eigen::Vector3d at = pair.inWorld((first ? pair.a : pair.b).polygon->coveringOrigin(), pair.middle());
   Span span{is_signed ? -lift.depth : -1, at, at};
   if (std::isfinite(lift.depth)) (first ? span.on_b : span.on_a) -= pair.frame->linear() * (lift.depth * lift.normal);
   return span;

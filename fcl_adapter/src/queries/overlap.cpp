@@ -132,7 +132,7 @@ struct OutlinePoints {
 
 /// From the origin of `a` towards that of `b`; along x where the two coincide.
 Vec2 towards(const PlanarPair& pair) {
-  const auto half = [](const Region& region) { return Vec2((region.pose * region.polygon->origin()) / 2); };
+  const auto half = [](const Region& region) { return Vec2((region.pose * region.polygon->coveringOrigin()) / 2); };
   const Vec2 between = half(pair.b) - half(pair.a);  // halved, not to overflow
   return between.isZero(0) ? Vec2::UnitX() : between.stableNormalized();
 }

@@ -10,7 +10,7 @@
 #include "shadow/shadow.h"
 #include "shadow/stadium.h"
 #include "shape/errors.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl {
 namespace {
@@ -130,7 +130,7 @@ bool placeStadium(PlanarPair& pair, const MixedGeometries<S>& both, bool may_be_
   other.heights.of_pose = polygon.heights.of_pose;
   if (other.heights.of_shape.isNone()) pair.apart = kInfinity;
   if (const double half = stadium->half_length; half > 0) {
-    pair.shadow.emplace().made = tricover::segment({-half, 0}, {half, 0});
+    pair.shadow.emplace().made = tricover::Polygon::segment({-half, 0}, {half, 0});
     other.polygon = &pair.shadow->polygon();
   }
   pair.other = &other;

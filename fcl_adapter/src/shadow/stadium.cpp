@@ -11,7 +11,7 @@
 
 #include "shape/errors.h"
 #include "shape/planar_pose.h"
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 namespace tricover_fcl {
 namespace {
@@ -90,7 +90,7 @@ std::optional<Stadium> ofCylinder(double radius, double half_length, const Round
 
 const tricover::Polygon& originPoint() {
   // Never destroyed: destructors of static objects may still ask.
-  static const tricover::Polygon& point = *new tricover::Polygon(tricover::point(Vec2::Zero()));
+  static const tricover::Polygon& point = *new tricover::Polygon(tricover::Polygon::point(Vec2::Zero()));
   return point;
 }
 

@@ -61,7 +61,7 @@ void definePolygon(py::module_& m) {
       .def_property_readonly("vertex_count", &Polygon::vertexCount)
       .def_property_readonly("is_complement", &Polygon::isComplement)
       .def("complement", &Polygon::complement)
-      .def_property_readonly("origin", [](const Polygon& polygon) { return arrayOf(polygon.origin()); })
+      .def_property_readonly("origin", [](const Polygon& polygon) { return arrayOf(polygon.coveringOrigin()); })
       .def_property_readonly("radius", &Polygon::radius)
       .def_property_readonly("area", &Polygon::area)
       .def_property_readonly("centroid", [](const Polygon& polygon) { return arrayOf(polygon.centroid()); })
@@ -96,9 +96,9 @@ void definePolygon(py::module_& m) {
         return "<tricover.Polygon of " + std::to_string(polygon.vertexCount()) + " vertices>";
       });
   m.def(
-      "point", [](const Array& p) { return tricover::point(pointFrom(p, "p")); }, py::arg("p"));
+      "point", [](const Array& p) { return tricover::Polygon::point(pointFrom(p, "p")); }, py::arg("p"));
   m.def(
-      "segment", [](const Array& p, const Array& q) { return tricover::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
+      "segment", [](const Array& p, const Array& q) { return tricover::Polygon::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
       py::arg("p"), py::arg("q"));
   m.def("box", &tricover::box, py::arg("width"), py::arg("height"));
 }
@@ -135,7 +135,7 @@ void definePoses(py::module_& m) {
   m.def(
       "pose",
       [](double x, double y, double heading) {
-        const Poses poses{{tricover::pose(x, y, heading)}, true};
+        const Poses poses{{tricover::poseAt(x, y, heading)}, true};
         tricover::checkPose(poses[0]);
         return poses;
       },
@@ -151,7 +151,7 @@ void definePoses(py::module_& m) {
             py::array_t<double> matrices(shape);
             double* number = matrices.mutable_data();
             for (const tricover::Pose& pose : self.poses)
-              for (int i = 0; i < 9; ++i) *number++ = pose(i / 3, i % 3);
+              for (int i = 0; i < 9; ++i) *number++ = poseAt(i / 3, i % 3);
             return type.is_none() ? py::object(matrices) : matrices.attr("astype")(type);
           },
           py::arg("dtype") = py::none(), py::arg("copy") = py::none());

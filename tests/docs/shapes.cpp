@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/segment.h"
+#include "tricover/polygon.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 TEST(Documentation, Point) {
   //! [point]
   // A round robot of radius 0.5 beside a wall. Turning doesn't matter to it.
-  const tricover::Polygon robot = tricover::point({0, 0});
+  const tricover::Polygon robot = tricover::Polygon::point({0, 0});
   const tricover::Polygon wall({{{0, 0}, {4, 0}, {4, 1}, {0, 1}}});
   tricover::Pose pose = tricover::Pose::Identity();
   pose.translation() << 2, 1.5;
@@ -31,8 +31,8 @@ TEST(Documentation, Point) {
 TEST(Documentation, Segment) {
   //! [segment]
   // A stadium, 4 long and 2 wide, above a post.
-  const tricover::Polygon cart = tricover::segment({-1, 0}, {1, 0});
-  const tricover::Polygon post = tricover::point({1, 4});
+  const tricover::Polygon cart = tricover::Polygon::segment({-1, 0}, {1, 0});
+  const tricover::Polygon post = tricover::Polygon::point({1, 4});
   tricover::DistanceOptions options;
   options.margin = 1;
   const tricover::DistanceResult gap =
@@ -44,9 +44,9 @@ TEST(Documentation, Segment) {
 
 TEST(Documentation, Box) {
   //! [box]
-  const tricover::Polygon pallet = tricover::box(1.2, 0.8);
+  const tricover::Polygon pallet = tricover::Polygon::box(1.2, 0.8);
   EXPECT_EQ(pallet.bounds().min(), tricover::Vec2(-0.6, -0.4));
-  EXPECT_TRUE(tricover::collide(pallet, tricover::pose(0, 0), pallet, tricover::pose(1.2, 0)));  // side by side
+  EXPECT_TRUE(tricover::collide(pallet, tricover::poseAt(0, 0), pallet, tricover::poseAt(1.2, 0)));  // side by side
   //! [box]
 }
 
