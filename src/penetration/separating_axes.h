@@ -44,13 +44,11 @@ class OtherCorners {
   }
   /// A corner that is deep behind a face is so behind the next one.
   void put(std::uint32_t corner) {
-    if (areFew()) return;
-    const Double2 at = inOwnFrame(corner);
-    x_[0] = x_[1] = Double2{at[0], at[0]};
-    y_[0] = y_[1] = Double2{at[1], at[1]};
+    if (!areFew()) one_ = inOwnFrame(corner);
   }
   /// The largest area |way, corner - start|.
   double largestArea(Double2 start, Double2 way) const {
+    if (!areFew()) return cross(way, one_ - start);
     const auto areas = [&](int k) { return way[0] * (y_[k] - start[1]) - way[1] * (x_[k] - start[0]); };
     const Double2 both = larger(areas(0), areas(1));
     return std::max(both[0], both[1]);
@@ -61,7 +59,7 @@ class OtherCorners {
   Double2 inOwnFrame(std::uint32_t corner) const { return own_.inOwnFrame(other_.corner(corner)); }
 
   const PosedRing &own_, &other_;
-  Double2 x_[2]{}, y_[2]{};
+  Double2 x_[2]{}, y_[2]{}, one_{};
 };
 
 /// A face of either outline, and the corner of the other one that is deepest behind it.
