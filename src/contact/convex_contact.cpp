@@ -215,11 +215,12 @@ class ConvexPair {
     const bool is_own_inside = own_place == Located::Inside, is_other_inside = other_place == Located::Inside;
     Contact contact = contactOf(inWorld(middle.point), is_other_inside, is_own_inside);
     if (is_own_inside || is_other_inside) return contact;
-    if (const auto ends = contactEnds(middle.face(), middle.edgeAtDeepest(incident_ == face_.deepest), contact.depth,
-                                      margin_, axes_.tie())) {
+    ContactEnds ends;
+    if (contactEnds(middle.face(), middle.edgeAtDeepest(incident_ == face_.deepest), contact.depth, margin_,
+                    axes_.tie(), ends)) {
       contact.count = 2;
       for (std::size_t k = 0; k < 2; ++k)
-        contact.points[k] = {inWorld(middle.point + Vec2((*ends)[k].place, (*ends)[k].height)), (*ends)[k].depth};
+        contact.points[k] = {inWorld(middle.point + Vec2(ends[k].place, ends[k].height)), ends[k].depth};
     }
     return contact;
   }

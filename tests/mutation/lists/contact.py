@@ -35,7 +35,7 @@ MUTATIONS = [
     ("src/penetration/translation_space.h", "return std::min({from_a, high_a - from_a, from_b, high_b - from_b});", "return std::min(from_a, from_b);", "penetration: edges meet on half a plane"),
     ("src/contact/component_contacts.cpp", "if (way && way->optimal) result.normal = way->translation.stableNormalized();", "", "contacts: what no direction frees keeps a normal that leads on"),
     ("src/contact/contact_ends.cpp", "if (ends[0].depth < ends[1].depth) std::swap", "if (ends[0].depth > ends[1].depth) std::swap", "contact ends: the deeper first"),
-    ("src/contact/contact_ends.cpp", "if (!(own >= -error && own <= depth + error)) return {};", "if (!(own <= depth + error)) return {};", "contact ends: one that is apart"),
+    ("src/contact/contact_ends.cpp", "if (!(own >= -error && own <= depth + error)) return false;", "if (!(own <= depth + error)) return false;", "contact ends: one that is apart"),
     ("src/contact/contact_ends.cpp", "(gaps[k] > 0 ? share : 0.5) * gaps[k];", "0.5 * gaps[k];", "contact ends: between the pieces as the point is"),
     ("src/contact/contact_ends.cpp", "const double own = gaps[k] + margin;", "const double own = gaps[k];", "contact ends: inflated by the margin"),
     ("src/contact/contact_ends.cpp", "piece.w = at(e + 1);", "break;", "contact ends: on along straight edges"),
