@@ -50,12 +50,15 @@ struct PlacedBox {
     const double x = std::abs(axis.x()), y = std::abs(axis.y());
     return {along * x + across * y, along * y + across * x};
   }
-  /// False if a segment surely doesn't come near.
+  /// False if a segment surely doesn't come near: by the box's two axes, and by the segment's normal.
   bool mayMeet(const Vec2& v, const Vec2& w) const {
     const double v_along = axis.dot(v - middle), w_along = axis.dot(w - middle);
     const double v_across = cross(axis, v - middle), w_across = cross(axis, w - middle);
+    const double u_along = w_along - v_along, u_across = w_across - v_across;
     return std::min(v_along, w_along) <= along && std::max(v_along, w_along) >= -along &&
-           std::min(v_across, w_across) <= across && std::max(v_across, w_across) >= -across;
+           std::min(v_across, w_across) <= across && std::max(v_across, w_across) >= -across &&
+           std::abs(u_along * v_across - u_across * v_along) <=
+               along * std::abs(u_across) + across * std::abs(u_along) + kTiny;
   }
 
   Vec2 middle, axis;
