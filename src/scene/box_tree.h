@@ -53,9 +53,8 @@ class BoxTree {
         continue;
       }
       // The branch predictor foresees the only item of a leaf, so that its visit doesn't wait for the comparison.
-      const bool alone = __builtin_expect(node.count == 1, 1);
       for (; met != 0; met &= met - 1)
-        if (!visit(node.child[alone ? 0 : __builtin_ctz(met)])) return;
+        if (!visit(node.child[__builtin_expect(node.count == 1, 1) ? 0 : __builtin_ctz(met)])) return;
     }
   }
 
