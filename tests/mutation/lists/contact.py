@@ -70,8 +70,7 @@ MUTATIONS = [
     ("src/contact/exit_length.cpp", "a_goes_on = a_goes_on || (ends_above && !is_of_a);", "", "local depth: a ends with the component where its search ends early"),
     ("src/contact/exit_length.cpp", "  if (is_spent_) return unknown();\n  result.inside", "  if (is_spent_) result.length = kInfinity;\n  result.inside", "local depth: ends of a search that ended early count"),
     ("src/contact/overlap_components.cpp", "overlapsLeftOf(best.point, best.at) ? leftOf(best.at) : besideOf(best.point, best.at)", "overlapsLeftOf(best.point, best.at) ? leftOf(best.at) : -1", "components: a line that ends beside a border"),
-    ("src/contact/overlap_components.cpp", "stop->node < crossings_.size() || !(stop->span.low > from)", "stop->edge == edge", "local depth: an edge has its region on the same sides, whatever else is there"),
-    ("src/contact/overlap_components.cpp", "        part.on = {part.known.low, part.known.low};\n        pieces.push_back(part);\n", "", "local depth: nothing is known of an edge beyond its piece"),
+    ("src/contact/overlap_components.cpp", "      piece.on = on;\n", "      piece.on = on;\n      piece.known = {0, 1};\n", "local depth: an edge has its region on the same sides, whatever else is there"),
     ("src/contact/overlap_components.cpp", "node >= 0) hit = {x, node};", "node >= -1) hit = {x, node};", "components: an edge on the border hides it"),
     ("src/contact/component_contacts.cpp", "across || std::min(at_v, at_w) > error ? at_v + t * (at_w - at_v) : std::max(at_v, at_w)", "at_v + t * (at_w - at_v)", "contacts: a point beyond the end of a line that leads there"),
 ]
