@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 #include "numbers/segment.h"
 #include "pair/world_frame.h"
@@ -43,13 +42,13 @@ struct Slope {
 /// The incident edge, clipped to the face: the ends of the interval where two pieces face each other and overlap by no
 /// more than the depth, the deeper one first, from the contact's point. The normal leads from the lower piece to the
 /// upper one. Both ends are between the two by the same share as that point, and in the middle where only the margin
-/// makes the pieces overlap. Nothing if the interval is a point, an end of it isn't in contact, or neither is as deep
+/// makes the pieces overlap. False if the interval is a point, an end of it isn't in contact, or neither is as deep
 /// as the contact. `depth` is with the margin, and lengths are off by `error`.
 struct ContactEnd {
   double place, height, depth;
 };
-std::optional<std::array<ContactEnd, 2>> contactEnds(const Slope& lower, const Slope& upper, double depth,
-                                                     double margin, double error);
+using ContactEnds = std::array<ContactEnd, 2>;
+bool contactEnds(const Slope& lower, const Slope& upper, double depth, double margin, double error, ContactEnds& ends);
 
 /// Gives the contact both ends, if there are two, by two pieces and its point in the WorldFrame.
 void addEnds(Contact& contact, const WorldFrame& frame, const WorldFrame::Ends& of_a, const WorldFrame::Ends& of_b,

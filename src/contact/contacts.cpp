@@ -72,14 +72,18 @@ std::vector<Contact> deepestContacts(const PolygonData& a, const Pose& pose_a, c
     known = recall(*certificate, a, pose_a, b, pose_b, defect, options.margin);
   }
   if (known.certain && !known.collides) return {};
+  // Separating axes find a gap anyway. Crossings don't: the search for a certificate comes first, and is the answer as
+  // long as the polygons stay apart.
+  if (certificate != nullptr && !certificate->overlapping && (cornersOf(a) == nullptr || cornersOf(b) == nullptr) &&
+      renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0}) == false)
+    return {};
   double gap = 0;
   std::vector<Contact> result = allContacts(pair, options, gap);
   if (const double margin = options.margin; result.empty() && margin > 0)
     if (collideByHierarchy(pair, {margin, 0}, 0, Wanted::Answer).collides) result = {contactBeside(pair, margin)};
   if (certificate != nullptr && result.empty()) {
-    // A gap that was found anyway makes a certificate without a search for the longest one.
     if (!(gap > options.margin))
-      renewCertificate(a, pose_a, b, pose_b, defect, *certificate, known, {options.margin, 0});
+      rememberPoses(*certificate, a, pose_a, b, pose_b);
     else if (beginRenewal(*certificate, a, pose_a, b, pose_b, known))
       remember(*certificate, a, pose_a, b, pose_b, false, gap);
   }

@@ -78,6 +78,13 @@ class OverlapMiddle {
     return true;
   }
 
+  /// The face, and the edge that leaves the other outline's corner or leads to it, both from the point.
+  Slope face() const { return slope(own_left_.from, own_right_.from); }
+  Slope edgeAtDeepest(bool leaves) const {
+    const Walk& walk = leaves != other_.mirrors() ? other_right_ : other_left_;
+    return slope(walk.from, walk.to);
+  }
+
   Vec2 point;
   bool own_reaches_beyond = false, other_reaches_beyond = false;  ///< certainly; otherwise it isn't known
 
@@ -87,6 +94,8 @@ class OverlapMiddle {
     Double2 way;
     double slope() const { return way[0] / way[1]; }
   };
+
+  Slope slope(Double2 v, Double2 w) const { return {Vec2(v[0], v[1]) - point, Vec2(w[0], w[1]) - point}; }
 
   Walk fromFace(const FaceDepth& face, bool to_right) const {
     if (to_right != own_.mirrors()) return {own_, face.edge, face_at_, false};
@@ -147,12 +156,14 @@ class OverlapMiddle {
     double top = face_at_[1];
     for (const double sign : {1, -1}) {
       const auto ahead = [&](Double2 p) { return sign * (p[0] - across); };
-      Walk own = sign > 0 ? own_right_ : own_left_, other = sign > 0 ? other_right_ : other_left_;
       std::uint32_t own_left = own_.ring.size(), other_left = other_.ring.size();
-      if (ahead(own.from) < 0) {
+      const Walk& face_end = sign > 0 ? own_right_ : own_left_;
+      if (ahead(face_end.from) < 0) {
+        Walk own = face_end;
         while (ahead(own.to) < 0 && --own_left > 0) own.advance();
         top = std::min(top, own.at(0, across));
       }
+      Walk other = sign > 0 ? other_right_ : other_left_;
       const auto returns = [&] { return ahead(other.to) <= 0 && ahead(other.to) < ahead(other.from); };
       while (!returns() && other.to[1] <= beyond && --other_left > 0) other.advance();
       other_reaches_beyond = other_reaches_beyond || other.to[1] > beyond;
@@ -204,15 +215,12 @@ class ConvexPair {
     const bool is_own_inside = own_place == Located::Inside, is_other_inside = other_place == Located::Inside;
     Contact contact = contactOf(inWorld(middle.point), is_other_inside, is_own_inside);
     if (is_own_inside || is_other_inside) return contact;
-    const auto slopeOf = [&](const PosedRing& outline, std::uint32_t k) {
-      const Double2 v = outline.corner(k), w = outline.corner(outline.ring.next(k));
-      return Slope(Vec2(v[0], v[1]) - middle.point, Vec2(w[0], w[1]) - middle.point);
-    };
-    if (const auto ends = contactEnds(slopeOf(own, face_.edge), slopeOf(other, incident_.edge), contact.depth, margin_,
-                                      axes_.tie())) {
+    ContactEnds ends;
+    if (contactEnds(middle.face(), middle.edgeAtDeepest(incident_ == face_.deepest), contact.depth, margin_,
+                    axes_.tie(), ends)) {
       contact.count = 2;
       for (std::size_t k = 0; k < 2; ++k)
-        contact.points[k] = {inWorld(middle.point + Vec2((*ends)[k].place, (*ends)[k].height)), (*ends)[k].depth};
+        contact.points[k] = {inWorld(middle.point + Vec2(ends[k].place, ends[k].height)), ends[k].depth};
     }
     return contact;
   }
@@ -260,11 +268,7 @@ class ConvexPair {
   }
 
   /// An edge at the corner that is deepest behind the face: the one that is more across its normal.
-  struct Incident {
-    EdgePosition edge;       ///< of the outline
-    EdgePosition path_edge;  ///< of the path's edges there, the one at the corner
-  };
-  Incident incidentEdge() const {
+  EdgePosition incidentEdge() const {
     const AxisSide& side = axes_.side(!face_.of_a);
     const std::uint32_t corner = face_.deepest;
     const auto slope = [&](EdgePosition edge) {
@@ -275,18 +279,17 @@ class ConvexPair {
     const std::uint32_t before = side.ring.ring.previous(corner);
     const bool forward = side.outline.forward;
     const std::uint32_t arriving = forward ? before : corner, leaving = forward ? corner : before;
-    if (slope(arriving) < slope(leaving)) return {arriving, edgesAt(side.polygon, side.outline.corners[corner]).before};
-    return {leaving, side.outline.corners[corner]};
+    return slope(arriving) < slope(leaving) ? arriving : leaving;
   }
 
   Contact contactOf(const Vec2& point, bool other_is_inside, bool own_is_inside) const {
     const AxisSide &own = axes_.side(face_.of_a), &other = axes_.side(!face_.of_a);
     const Double2 deepest = own.ring.inOwnFrame(other.ring.corner(face_.deepest));
-    const EdgeIndex own_edge =
-        other_is_inside
-            ? -1
-            : own.polygon.edgeName(pathEdge(own.polygon, own.outline, face_.edge, {deepest[0], deepest[1]}));
-    const EdgeIndex other_edge = own_is_inside ? -1 : other.polygon.edgeName(incident_.path_edge);
+    const auto nameOf = [](const AxisSide& side, EdgePosition edge, const Vec2& beside) {
+      return side.polygon.edgeName(pathEdge(side.polygon, side.outline, edge, beside));
+    };
+    const EdgeIndex own_edge = other_is_inside ? -1 : nameOf(own, face_.edge, {deepest[0], deepest[1]}),
+                    other_edge = own_is_inside ? -1 : nameOf(other, incident_, other.outline.points[face_.deepest]);
     assert(face_.depth > 0 && std::abs(up_.norm() - 1) < 0x1p-40);
     return contactAt(point, face_.of_a ? up_ : Vec2(-up_), face_.depth + margin_, face_.of_a ? own_edge : other_edge,
                      face_.of_a ? other_edge : own_edge);
@@ -297,7 +300,7 @@ class ConvexPair {
   const double margin_;
   const FaceDepth face_;
   const Vec2 up_;  ///< outwards from the face
-  const Incident incident_;
+  const EdgePosition incident_;
   double doubtful_;  ///< areas of corners, up to this
 };
 

@@ -51,8 +51,6 @@ static_assert(kSide >= 2 * kUnitRows * errorOf(10 + 4));
 constexpr float kFloatDoubt = 0x1p-17f;
 
 constexpr int kMostNear = 8;
-/// To features that others lead to: more would cost after a jump what the cache saves.
-constexpr int kMostSteps = 2;
 
 // Where the feature is an edge, its neighbours are as far behind as the polygon's edge_depth tells of all edges, in the
 // polygon's frame: kKept of it is left by a pose that misses keeping areas and lengths, and by n, which is off by less
@@ -121,15 +119,9 @@ class FeatureSearch {
   FeatureSearch(const PosedVertices& vertices, NearestFeatures& found)
       : vertices_(vertices), a_(ringOf(vertices.a)), b_(ringOf(vertices.b)), found_(found) {}
 
-  /// Whether these are the nearest, or features that they lead to by a few neighbours.
-  bool proveOnWay(FeaturePair features) {
-    for (int step = 0; step <= kMostSteps && features.kind != FeaturePair::kNone; ++step) {
-      ahead_ = {};
-      if (prove(features)) return true;
-      features = ahead_;
-    }
-    return false;
-  }
+  /// Whether these are the nearest features, or those that they lead to by a neighbour. After a jump, further steps
+  /// would cost what the cache saves.
+  bool proveOrNext(const FeaturePair& features) { return prove(features) || prove(FeaturePair(ahead_)); }
 
   bool prove(const ConvexGap& guess) {
     return guess.of_a ? proveBeside<true>(guess.edge, guess.vertex) : proveBeside<false>(guess.edge, guess.vertex);
@@ -260,7 +252,7 @@ bool innerDiscsMeet(const PosedVertices& vertices) {
 NearestFeatures findNearestFeatures(const PosedVertices& vertices, const FeaturePair& tried) {
   NearestFeatures found;
   if (!vertices.isUnscaled()) return found;
-  if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOnWay(tried);
+  if (tried.kind != FeaturePair::kNone) found.were_tried = FeatureSearch(vertices, found).proveOrNext(tried);
   if (found.were_tried) return found;
   const bool discs_meet = innerDiscsMeet(vertices);
   const SmallPolygon *a = topOf(vertices.a).small_convex, *b = topOf(vertices.b).small_convex;

@@ -22,7 +22,7 @@ struct NearestFeatures {
   bool are_apart = false;     ///< if not, nothing is proven: they may meet, or be too near to tell
   bool seem_to_meet = false;  ///< as far as floats see
   ConvexCrossing crossing;    ///< of small ones that do, a guess
-  bool were_tried = false;    ///< whether those to be tried first led here in a few steps
+  bool were_tried = false;    ///< whether those to be tried first are these, or led here
 
   // Of polygons apart.
   FeaturePair features;

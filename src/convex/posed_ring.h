@@ -14,7 +14,11 @@ class PosedRing {
   PosedRing(const ConvexRing& ring_, const Pose& pose, Double2 shift_ = Double2{})
       : PosedRing(ring_, load2(pose.data()), load2(pose.data() + 3), shift_) {}
   PosedRing(const ConvexRing& ring_, Double2 column_x_, Double2 column_y_, Double2 shift_)
-      : ring(ring_), column_x(column_x_), column_y(column_y_), shift(shift_) {}
+      : ring(ring_),
+        column_x(column_x_),
+        column_y(column_y_),
+        shift(shift_),
+        mirrors_(cross(column_x_, column_y_) < 0) {}
 
   Double2 corner(std::uint32_t k) const { return turned(ring.vertex(k)) + shift; }
   Double2 way(std::uint32_t from, std::uint32_t to) const { return turned(ring.way(from, to)); }
@@ -22,7 +26,7 @@ class PosedRing {
   Double2 edge(std::uint32_t k) const { return turned(ring.edge(k)); }
 
   /// Whether the pose mirrors.
-  bool mirrors() const { return cross(column_x, column_y) < 0; }
+  bool mirrors() const { return mirrors_; }
   /// Whether positions increase that way around.
   bool isForward(bool ccw) const { return ccw == ((ring.turn() > 0) != mirrors()); }
   std::uint32_t next(std::uint32_t k, bool ccw) const { return isForward(ccw) ? ring.next(k) : ring.previous(k); }
@@ -50,6 +54,8 @@ class PosedRing {
 
  private:
   Double2 turned(Double2 p) const { return column_x * p[0] + column_y * p[1]; }
+
+  const bool mirrors_;
 };
 
 }  // namespace tricover::detail

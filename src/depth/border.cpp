@@ -37,7 +37,6 @@ struct Borders : Derived::Thing {
 }  // namespace
 
 const PolygonData* withBordersOnly(const PolygonData& polygon) {
-  if (polygon.isDegenerate()) return nullptr;
   const std::vector<std::int8_t>& sides = regionSidesOf(polygon).rings;
   if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side != 0; })) return &polygon;
   return hierarchyOf(polygon).borders.made<Borders>(polygon).region;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // collide() with any margin: by the kernel of margins from 0 on, or by depth.
-#include "tricover/collide.h"
+#include "depth/collide.h"
 
 #include "depth/depth_in_order.h"
-#include "numbers/errors.h"
 #include "numbers/rigidity.h"
 #include "overlay/interiors.h"
 #include "pair/collide.h"
 #include "pair/kernel_order.h"
 #include "polygon/cache_access.h"
+#include "tricover/collide.h"
 
 namespace tricover {
 namespace detail {
@@ -26,19 +26,22 @@ namespace {
   return options.touching == Touching::Allowed ? depth > allowed : depth >= allowed;
 }
 
-[[gnu::always_inline]] inline bool checkAndCollide(const Polygon& polygon_a, const Pose& pose_a,
-                                                   const Polygon& polygon_b, const Pose& pose_b, Certificate* cache,
+[[gnu::always_inline]] inline bool checkAndCollide(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                                                   const Pose& pose_b, Certificate* cache,
                                                    const CollideOptions& options) {
-  requireFiniteMargin(options.margin, "margin");
-  requireFiniteNotNegative(options.tolerance, "tolerance");
-  requireTouching(options.touching);
+  checkOptions(options);
   const double defect = requireRigid(pose_a, pose_b);
-  const PolygonData &a = polygon_a.data(), &b = polygon_b.data();
+  return collideChecked(a.data(), pose_a, b.data(), pose_b, defect, cache, options);
+}
+
+}  // namespace
+
+bool collideChecked(const PolygonData& a, const Pose& pose_a, const PolygonData& b, const Pose& pose_b, double defect,
+                    Certificate* cache, const CollideOptions& options) {
   if (options.margin < 0) return collideDeeper(a, pose_a, b, pose_b, defect, cache, options);
   return regionsCollide(a, pose_a, b, pose_b, defect, cache, options);
 }
 
-}  // namespace
 }  // namespace detail
 
 bool collide(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b,

@@ -44,6 +44,12 @@ MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon&
 /// Times are not told apart any closer.
 constexpr double kShortestTime = 1e-9;
 
+/// How far off a pose is that a motion has at a time, by its translation.
+double posedError(const Motion& motion) {
+  const double path = motion.shift.lpNorm<1>() + motion.shift_2.lpNorm<1>() + motion.shift_3.lpNorm<1>();
+  return 8 * kUnitRoundoff * (motion.start.translation().lpNorm<1>() + path);
+}
+
 /// Contacts of each edge take some steps, in each radian. Where rounding is as large as lengths, no step proves much,
 /// and what passes by within the shortest time has no contact to follow.
 int stepsAlongContacts(const MovingPair& pair, double speed) {
@@ -66,7 +72,9 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       pair_(preparedPair(a, motion_a, b, motion_b, std::max(options.margin, 0.0))),
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, kShortestTime)),
-      precision_(8 * pair_.error * pair_.length * pair_.expansion),
+      // What touches by the motions' truth is to touch by the poses that are asked.
+      precision_(
+          std::max(8 * pair_.error * pair_.length * pair_.expansion, posedError(motion_a) + posedError(motion_b))),
       touch_margin_(margin_ + (margin_ < 0 ? kDeepEnough + 1 : 1) * precision_),
       speed_(mostSpeed(pair_)),
       steps_left_(margin_ < 0 ? 1 << 14 : stepsAlongContacts(pair_, speed_)) {

@@ -59,8 +59,8 @@ class LeastOnWay {
       least_.budget_ended = impact->budget_ended;
       if (impact->budget_ended) break;
       if (look(impact->time)) descend();
-      if (!is_guess && !(least_.distance < before)) break;
       if (step == 0) least_.distance = 0;  // but for rounding
+      if (!is_guess && !(least_.distance < before)) break;
     }
     least_.lower_bound = std::min(lower, least_.distance);
     return least_;

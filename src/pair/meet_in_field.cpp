@@ -11,32 +11,16 @@
 namespace tricover::detail {
 namespace {
 
-/// Discs in b, in a's units, smaller by what they are off by. None before they are paid for.
-class InnerPlaces {
- public:
-  InnerPlaces(const PolygonData& b, const UnitMap& at) {
-    const InnerDiscs* discs = innerDiscsIfPaid(b);
-    if (discs == nullptr) return;
-    for (; count_ < discs->count; ++count_) {
-      const double x = discs->x[count_], y = discs->y[count_];
-      centers_[count_] = {at.mappedX(x, y), at.mappedY(x, y)};
-      radii_[count_] = discs->radius[count_] * at.scale * (1 - at.rounding) - at.error;
-    }
+/// Whether a segment of a's surely meets a disc in b, smaller by what it is off by.
+bool meetsDisc(const InnerDiscs& discs, const UnitMap& at, const Vec2& v, const Vec2& w) {
+  for (int k = 0; k < discs.count; ++k) {
+    const double x = discs.x[k], y = discs.y[k];
+    const double radius = discs.radius[k] * at.scale * (1 - at.rounding) - at.error;
+    const Vec2 center(at.mappedX(x, y), at.mappedY(x, y));
+    if (radius > 0 && squaredDistanceToSegment(center, v, w) < radius * radius * (1 - 0x1p-40)) return true;
   }
-
-  /// Whether a segment surely meets a disc.
-  bool meet(const Vec2& v, const Vec2& w) const {
-    for (int k = 0; k < count_; ++k)
-      if (radii_[k] > 0 && squaredDistanceToSegment(centers_[k], v, w) < radii_[k] * radii_[k] * (1 - 0x1p-40))
-        return true;
-    return false;
-  }
-
- private:
-  Vec2 centers_[kLanes];
-  double radii_[kLanes];
-  int count_ = 0;
-};
+  return false;
+}
 
 /// A box in a's units, widened by what decides and by all errors.
 struct PlacedBox {
@@ -50,12 +34,15 @@ struct PlacedBox {
     const double x = std::abs(axis.x()), y = std::abs(axis.y());
     return {along * x + across * y, along * y + across * x};
   }
-  /// False if a segment surely doesn't come near.
+  /// False if a segment surely doesn't come near: by the box's two axes, and by the segment's normal.
   bool mayMeet(const Vec2& v, const Vec2& w) const {
     const double v_along = axis.dot(v - middle), w_along = axis.dot(w - middle);
     const double v_across = cross(axis, v - middle), w_across = cross(axis, w - middle);
+    const double u_along = w_along - v_along, u_across = w_across - v_across;
     return std::min(v_along, w_along) <= along && std::max(v_along, w_along) >= -along &&
-           std::min(v_across, w_across) <= across && std::max(v_across, w_across) >= -across;
+           std::min(v_across, w_across) <= across && std::max(v_across, w_across) >= -across &&
+           std::abs(u_along * v_across - u_across * v_along) <=
+               along * std::abs(u_across) + across * std::abs(u_along) + kTiny;
   }
 
   Vec2 middle, axis;
@@ -63,15 +50,15 @@ struct PlacedBox {
 };
 
 /// By the edges of a that are in cells near b, whose edges are few.
-bool meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const InnerPlaces& inner,
-                 const EdgeTest& test) {
+bool meetByEdges(const InfluenceField& field, const UnitMap& at, const PlacedBox& box, const EdgeTest& test) {
   const PolygonData &a = test.a, &b = test.b;
+  const InnerDiscs* discs = innerDiscsIfPaid(b);
   bool is_any_near = false, meet = false;
   field.forEachEdge(box.middle, box.half(), [&](EdgePosition i) {
     const Vec2 v = a.inUnits(a.path[i]), w = a.inUnits(a.path[i + 1]);
     if (!box.mayMeet(v, w)) return true;
     is_any_near = true;
-    meet = inner.meet(v, w);
+    meet = discs != nullptr && meetsDisc(*discs, at, v, w);
     if (!meet) forEachEdge(b, [&](EdgePosition j) { return !(meet = test(i, j)); });
     return !meet;
   });
@@ -90,7 +77,7 @@ Meeting meetInField(const InfluenceField& field, const UnitMap& at, double limit
   if (b.isDegenerate() || b.fill.is_complement || b.path.size() > kFewEdges) return Meeting::Unknown;
   const PlacedBox box(topOf(b).region, at, limit);
   if (!(field.rowsOf(box.half().y()) < kMostRows)) return Meeting::Unknown;
-  return meetByEdges(field, at, box, InnerPlaces(b, at), test) ? Meeting::Meet : Meeting::Apart;
+  return meetByEdges(field, at, box, test) ? Meeting::Meet : Meeting::Apart;
 }
 
 }  // namespace tricover::detail

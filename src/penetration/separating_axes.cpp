@@ -116,33 +116,39 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
   verdict_ = lookBehindAll();
   if (verdict_ != Meet) return;
   // Too many may be as deep as the least but for rounding.
-  if (least_left_out_ < least_depth_ + within_) verdict_ = Unsure;
+  if (least_left_out_ < best_.depth + within_) verdict_ = Unsure;
   removeDeep();
 }
 
 /// The first face to be asked is one that looks at the other polygon: what the least depth isn't above is soon known.
+/// Faces that a corner of the other polygon proves to be deeper than the limit are left out.
 SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
+  // What a corner and an area are off by, of edges that are at most 2 sqrt2 sizes long.
+  const double doubtful = 12 * error() * size_;
+  double most_square = mostSquare();
   std::uint32_t first = edgeTowardsB(), at = 0;
   for (const bool of_a : {true, false}) {
-    const AxisSide& own = side(of_a);
-    FaceDepth face, best{};
-    best.depth = std::numeric_limits<double>::infinity();
-    OtherCorners others(own.ring, side(!of_a).ring);
-    for (std::uint32_t k = first, left = own.ring.ring.size(); left > 0; skipDeep(own, others, k, left)) {
-      const Verdict verdict = lookBehind(of_a, k, at, face);
+    const PosedRing& own = side(of_a).ring;
+    OtherCorners others(own, side(!of_a).ring, at);
+    for (std::uint32_t k = first, left = own.ring.size(); left > 0; k = own.ring.next(k), --left) {
+      const Double2 start = own.ring.vertex(k), way = own.ring.edge(k), square = way * way;
+      // What is compared has all of its digits: the limit is no less than 2^-48 of the size, and so is an edge whose
+      // area is above what is doubtful.
+      const double area = others.largestArea(start, way) - doubtful;
+      if (area > 0 && area * area > most_square * (square[0] + square[1])) continue;
+      const Verdict verdict = lookBehind(of_a, k, at);
       if (verdict != Meet) return verdict;
-      if (face.depth < best.depth) best = face;
-      at = face.deepest;
+      most_square = mostSquare();
       others.put(at);
     }
-    first = best.deepest;
-    at = best.edge;
+    first = best_.deepest;
+    at = best_.edge;
   }
   return Meet;
 }
 
-/// The other one's corners are asked from `at` on. Unsure if the deepest isn't found.
-SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face) {
+/// The other one's corners are asked from `at` on, which becomes the deepest. Unsure if that isn't found.
+SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge, std::uint32_t& at) {
   const AxisSide &own = side(of_a), &other = side(!of_a);
   const Double2 outwards = own.ring.normal(edge);
   const double square = dot(outwards, outwards);
@@ -152,21 +158,18 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehind(bool of_a, EdgePosition edge,
   const ConvexRing& corners = other.ring.ring;
   RingRange range{at, 0};
   if (!corners.supportVertex(inwards, other.climbError(outwards), range)) return Unsure;
-  face.certain = range.count == 1;
-  face.deepest = range.first;
+  const bool is_certain = range.count == 1;
+  at = range.first;
   for (std::uint32_t v = range.first; --range.count > 0;) {
     v = corners.next(v);
-    if (dot(inwards, corners.way(face.deepest, v)) > 0) face.deepest = v;
+    if (dot(inwards, corners.way(at, v)) > 0) at = v;
   }
-  const Double2 deepest = other.ring.corner(face.deepest);
-  face.of_a = of_a;
-  face.edge = edge;
-  face.depth = dot(outwards, own.ring.corner(edge) - deepest) / std::sqrt(square);
-  if (face.depth < -depthError()) {
-    gap_ = roundedDown<1>(-face.depth - depthError());
+  const double depth = dot(outwards, own.ring.corner(edge) - other.ring.corner(at)) / std::sqrt(square);
+  if (depth < -depthError()) {
+    gap_ = roundedDown<1>(-depth - depthError());
     return Apart;
   }
-  add(face);
+  add({of_a, is_certain, edge, at, depth});
   return Meet;
 }
 
@@ -179,32 +182,19 @@ std::uint32_t SeparatingAxes::edgeTowardsB() const {
   return cross(way, to_support) > 0 ? ring.previous(support) : support;
 }
 
-/// Of the faces that are left, on to the next one that no corner of the other polygon proves to be too deep.
-void SeparatingAxes::skipDeep(const AxisSide& side, const OtherCorners& others, std::uint32_t& edge,
-                              std::uint32_t& left) const {
-  // What a corner and an area are off by, of edges that are at most 2 sqrt2 sizes long; and a depth in the world is an
-  // area times the determinant by the edge's length there.
-  const double doubtful = 12 * error() * size_, most = std::max(limit(), 0.0) + depthError(),
-               most_square = most * most * (1 + 8.1 * kLargestDefect);
-  const ConvexRing& ring = side.ring.ring;
-  const auto isDeep = [&] {
-    const Double2 start = ring.vertex(edge), way = ring.edge(edge), square = way * way;
-    // What is compared has all of its digits: `most` is no less than 2^-48 of the size, and so is an edge whose area
-    // is above what is doubtful.
-    const double area = others.largestArea(start, way) - doubtful;
-    return area > 0 && area * area > most_square * (square[0] + square[1]);
-  };
-  do {
-    edge = ring.next(edge);
-  } while (--left > 0 && isDeep());
-}
-
 /// Deeper faces are of no interest.
-double SeparatingAxes::limit() const { return std::min(least_depth_ + within_, least_left_out_); }
+double SeparatingAxes::limit() const { return std::min(best_.depth + within_, least_left_out_); }
+
+/// The square of the limit in a polygon's frame. A depth in the world is an area times the determinant by the edge's
+/// length there.
+double SeparatingAxes::mostSquare() const {
+  const double most = std::max(limit(), 0.0) + depthError();
+  return most * most * (1 + 8.1 * kLargestDefect);
+}
 
 void SeparatingAxes::add(const FaceDepth& face) {
   if (face.depth > limit()) return;
-  least_depth_ = std::min(face.depth, least_depth_);
+  if (face.depth < best_.depth) best_ = face;
   if (count_ < least_.size()) {
     least_[count_++] = face;
     return;
@@ -218,7 +208,7 @@ void SeparatingAxes::add(const FaceDepth& face) {
 void SeparatingAxes::removeDeep() {
   if (count_ == 1) return;
   const auto begin = least_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
-  const auto kept = std::remove_if(begin, end, [&](const FaceDepth& f) { return f.depth > least_depth_ + within_; });
+  const auto kept = std::remove_if(begin, end, [&](const FaceDepth& f) { return f.depth > best_.depth + within_; });
   count_ = static_cast<std::size_t>(kept - begin);
   if (count_ > 1)
     std::sort(begin, kept,

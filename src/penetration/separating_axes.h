@@ -34,16 +34,21 @@ struct AxisSide {
 /// Corners of an outline, in the frame of another one: of few four all around it, of many one at a time.
 class OtherCorners {
  public:
-  OtherCorners(const PosedRing& own, const PosedRing& other) : own_(own), other_(other) {
-    for (std::uint32_t k = 0; k < 4 && areFew(); ++k) put(k * other.ring.size() / 4, k);
+  OtherCorners(const PosedRing& own, const PosedRing& other, std::uint32_t corner) : own_(own), other_(other) {
+    put(corner);
+    for (std::uint32_t k = 0; k < 2 && areFew(); ++k) {
+      const Double2 p = inOwnFrame(2 * k * other.ring.size() / 4), q = inOwnFrame((2 * k + 1) * other.ring.size() / 4);
+      x_[k] = Double2{p[0], q[0]};
+      y_[k] = Double2{p[1], q[1]};
+    }
   }
   /// A corner that is deep behind a face is so behind the next one.
   void put(std::uint32_t corner) {
-    if (!areFew()) put(corner, 0);
+    if (!areFew()) one_ = inOwnFrame(corner);
   }
   /// The largest area |way, corner - start|.
   double largestArea(Double2 start, Double2 way) const {
-    if (!areFew()) return cross(way, Double2{x_[0][0], y_[0][0]} - start);
+    if (!areFew()) return cross(way, one_ - start);
     const auto areas = [&](int k) { return way[0] * (y_[k] - start[1]) - way[1] * (x_[k] - start[0]); };
     const Double2 both = larger(areas(0), areas(1));
     return std::max(both[0], both[1]);
@@ -51,14 +56,10 @@ class OtherCorners {
 
  private:
   bool areFew() const { return other_.ring.size() <= 8; }
-  void put(std::uint32_t corner, std::uint32_t k) {
-    const Double2 at = own_.inOwnFrame(other_.corner(corner));
-    x_[k / 2][k % 2] = at[0];
-    y_[k / 2][k % 2] = at[1];
-  }
+  Double2 inOwnFrame(std::uint32_t corner) const { return own_.inOwnFrame(other_.corner(corner)); }
 
   const PosedRing &own_, &other_;
-  Double2 x_[2], y_[2];
+  Double2 x_[2]{}, y_[2]{}, one_{};
 };
 
 /// A face of either outline, and the corner of the other one that is deepest behind it.
@@ -86,7 +87,7 @@ class SeparatingAxes {
   /// by.
   const FaceDepth* begin() const { return least_.data(); }
   const FaceDepth* end() const { return least_.data() + count_; }
-  double leastDepth() const { return least_depth_; }
+  double leastDepth() const { return best_.depth; }
   /// How far a pair is apart at least.
   double gap() const { return gap_; }
 
@@ -102,10 +103,10 @@ class SeparatingAxes {
 
  private:
   Verdict lookBehindAll();
-  Verdict lookBehind(bool of_a, EdgePosition edge, std::uint32_t at, FaceDepth& face);
+  Verdict lookBehind(bool of_a, EdgePosition edge, std::uint32_t& at);
   std::uint32_t edgeTowardsB() const;
-  void skipDeep(const AxisSide& side, const OtherCorners& others, std::uint32_t& edge, std::uint32_t& left) const;
   double limit() const;
+  double mostSquare() const;
   void add(const FaceDepth& face);
   void removeDeep();
 
@@ -116,7 +117,8 @@ class SeparatingAxes {
   const double size_;
   const AxisSide a_, b_;
   const double within_;
-  double least_depth_ = std::numeric_limits<double>::infinity(), least_left_out_ = least_depth_;
+  FaceDepth best_{true, false, 0, 0, std::numeric_limits<double>::infinity()};
+  double least_left_out_ = best_.depth;
   std::array<FaceDepth, 8> least_;
   std::size_t count_ = 0;
   double gap_ = 0;

@@ -44,12 +44,9 @@ Double2 growth(const PolygonData& polygon, Double2 t, double reach) {
 Bounds grownBox(Double2 low, Double2 high, Double2 grow) {
   constexpr double kMost = std::numeric_limits<double>::max();
   low = low - grow, high = high + grow;
-  Bounds bounds = Bounds::between(low, high);
-  const unsigned finite = bitsOf(absolute(low) <= kMost) & bitsOf(absolute(high) <= kMost);
-  if (finite == 3) return bounds;
-  if ((finite & 1) == 0) bounds.min_x = -kInfinity, bounds.max_x = kInfinity;
-  if ((finite & 2) == 0) bounds.min_y = -kInfinity, bounds.max_y = kInfinity;
-  return bounds;
+  const Bits2 finite = (absolute(low) <= kMost) & (absolute(high) <= kMost);
+  const Double2 endless = Double2{} + kInfinity;
+  return Bounds::between(finite ? low : -endless, finite ? high : endless);
 }
 
 /// Around the vertices at these positions. R p is never inf - inf: R's rows are of length 1.

@@ -52,8 +52,9 @@ class BoxTree {
         for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
         continue;
       }
+      // The branch predictor foresees the only item of a leaf, so that its visit doesn't wait for the comparison.
       for (; met != 0; met &= met - 1)
-        if (!visit(node.child[__builtin_ctz(met)])) return;
+        if (!visit(node.child[__builtin_expect(node.count == 1, 1) ? 0 : __builtin_ctz(met)])) return;
     }
   }
 

@@ -11,8 +11,6 @@ namespace {
 
 /// A body is large if the area of its box is this many times the seed's.
 constexpr double kLarge = 8;
-/// A body of more edges doesn't learn.
-constexpr std::size_t kMostEdges = 1000;
 
 double area(const Bounds& b) { return (b.max_x - b.min_x) * (b.max_y - b.min_y); }
 
@@ -44,8 +42,7 @@ bool cut(Bounds& box, const Bounds& edge, const Bounds& seed) {
 /// none.
 void ClearBox::learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body,
                      const Bounds& seed) const {
-  if (known_.load(std::memory_order_relaxed) != nullptr || tries_.load(std::memory_order_relaxed) >= kTries) return;
-  if (polygon.path.size() > kMostEdges || !(area(body) > kLarge * area(seed)) || !body.contains(seed)) return;
+  if (!(area(body) > kLarge * area(seed)) || !body.contains(seed)) return;
   tries_.fetch_add(1, std::memory_order_relaxed);
   Bounds box = body;
   for (std::size_t ring = 0; ring < polygon.ringCount(); ++ring)

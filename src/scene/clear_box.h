@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 
 #include "hierarchy/axis_boxes.h"
@@ -37,6 +38,11 @@ class ClearBox {
            box.max_y < known->max_y;
   }
 
+  /// Whether a query that doesn't meet the body, of this shape, may still teach it.
+  bool learnsOf(const PolygonData& polygon) const {
+    return polygon.path.size() <= kMostEdges && known_.load(std::memory_order_relaxed) == nullptr &&
+           tries_.load(std::memory_order_relaxed) < kTries;
+  }
   /// Learns from a query that doesn't meet the body. `seed` is the query's box with its margin, `body` the body's box
   /// with the body's own. A body that isn't large beside the query learns nothing. Any number of threads may call this.
   void learn(const PolygonData& polygon, const Pose& pose, double margin, const Bounds& body, const Bounds& seed) const;
@@ -44,6 +50,8 @@ class ClearBox {
  private:
   /// A body stops learning after this number of tries.
   static constexpr unsigned char kTries = 8;
+  /// A body of more edges doesn't learn.
+  static constexpr std::size_t kMostEdges = 1000;
 
   mutable std::atomic<const Bounds*> known_{nullptr};
   mutable std::atomic<unsigned char> tries_{0};

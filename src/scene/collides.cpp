@@ -6,10 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "numbers/errors.h"
+#include "depth/collide.h"
 #include "numbers/rigidity.h"
-#include "overlay/interiors.h"
-#include "pair/discs.h"
 #include "scene/in_parallel.h"
 #include "scene/scene_state.h"
 
@@ -26,12 +24,10 @@ class CollisionQuery {
  public:
   CollisionQuery(const SceneState& state, const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                  const BodyFilter& filter)
-      : state_(state), polygon_(polygon), pose_(pose), options_(options), filter_(state.slots(filter)) {
-    detail::requireFiniteMargin(options.margin, "margin");
-    detail::requireFiniteNotNegative(options.tolerance, "tolerance");
-    detail::requireTouching(options.touching);
-    detail::requireRigid(pose, "pose");
-    bounds_ = boundsOf(polygon.data(), pose, detail::marginOfBox(options.margin));
+      : state_(state), polygon_(polygon.data()), pose_(pose), options_(options), filter_(state.slots(filter)) {
+    detail::checkOptions(options);
+    defect_ = detail::requireRigid(pose, "pose");
+    bounds_ = boundsOf(polygon_, pose, detail::marginOfBox(options.margin));
   }
 
   /// Calls found(slot) for each body that collides, until it returns false.
@@ -46,19 +42,21 @@ class CollisionQuery {
  private:
   bool outlinesMeet(Slot slot) const {
     const auto& body = state_.bodies[slot];
+    const detail::PolygonData& other = body.polygon.data();
     const CollideOptions options = detail::withBody(options_, body.options);
-    if (collide(polygon_, pose_, body.polygon, body.pose, options)) return true;
-    if (options.touching == Touching::Collides && options.margin >= 0)
-      body.clear.learn(body.polygon.data(), body.pose, detail::marginOfBox(body.options.margin),
-                       state_.tree.boundsOf(slot), bounds_);
+    const double defect = defect_ + detail::defectOf(body.pose);
+    if (collideChecked(polygon_, pose_, other, body.pose, defect, nullptr, options)) return true;
+    if (options.touching == Touching::Collides && options.margin >= 0 && body.clear.learnsOf(other))
+      body.clear.learn(other, body.pose, detail::marginOfBox(body.options.margin), state_.tree.boundsOf(slot), bounds_);
     return false;
   }
 
   const SceneState& state_;
-  const Polygon& polygon_;
+  const detail::PolygonData& polygon_;
   const Pose& pose_;
   const CollideOptions& options_;
   const detail::SlotFilter filter_;
+  double defect_;  ///< defectOf() the pose
   Bounds bounds_;  ///< around all points within the query's margin
 };
 

@@ -184,10 +184,9 @@ inline double marginSum(double p, double q) {
 inline double marginOfBox(double margin) { return std::max(margin, 0.0); }
 
 /// The options of a query about one body: margins add up, and touching is allowed if either allows it.
-inline CollideOptions withBody(CollideOptions options, const BodyOptions& body) {
-  if (body.touching != Touching::Collides) options.touching = body.touching;
-  options.margin = marginSum(options.margin, body.margin);
-  return options;
+inline CollideOptions withBody(const CollideOptions& options, const BodyOptions& body) {
+  return {marginSum(options.margin, body.margin), options.tolerance,
+          body.touching != Touching::Collides ? body.touching : options.touching};
 }
 
 }  // namespace tricover::detail

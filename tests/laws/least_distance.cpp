@@ -64,7 +64,10 @@ std::string wrongOn(const Polygon& a, const Path& path_a, const Polygon& b, cons
   same.time_error = 0;
   same.absent_outside = options.absent_outside;
   const auto impact = timeOfImpact(a, path_a, b, path_b, same);
-  if (!impact && found.distance == 0) return "least: nothing, and no impact";
+  // Poses are rounded, motions aren't.
+  same.margin += rounding;
+  if (!impact && found.distance == 0 && !timeOfImpact(a, path_a, b, path_b, same))
+    return "least: nothing, and no impact";
   if (impact && !impact->budget_ended && found.distance != 0) return "least: an impact";
   return {};
 }

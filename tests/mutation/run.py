@@ -208,7 +208,8 @@ class Worker:
         for test in [None, *self.tests.order(file)]:
             # With a shared library a test that is built stays as it is, unless it includes the header.
             kept = not self.adapter and test in self.built and file.endswith(".cpp")
-            built = None if kept else self.make(test or self.library)
+            library = "tricover_io" if file.startswith("src/io/") else self.library
+            built = None if kept else self.make(test or library)
             if test:
                 self.built.add(test)
             if built and built.returncode != 0:

@@ -157,15 +157,20 @@ TEST(ConvexContact, OfHugeAndTinyTriangles) {
 /// A needle thinner than what coordinates are rounded by, which leads along the normal: its other end was passed by.
 TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
   const Polygon box({rectangle(-14, -14, 14, 14)});
-  for (const double length : {1e-11, 1e-3, 1.0}) {
-    const Polygon needle({{{-length, 0}, {0, -1e-27}, {length, 0}, {0, 1e-27}}});
-    const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5));
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].normal, Vec2(1, 0));
-    EXPECT_NEAR(found[0].depth, 3.75 + length, 1e-14);
-    EXPECT_NEAR(found[0].point.x(), 10.25, 1e-14);
-    EXPECT_EQ(found[0].point.y(), 4.5);
-  }
+  Pose upright = Pose::Identity();
+  upright.matrix().topRows<2>() << 0, -1, 1.75, 1, 0, 2.5;
+  for (const double width : {1e-27, 1e-20})
+    for (const double length : {1e-11, 1e-9, 1e-6, 1e-3}) {
+      const Polygon needle({{{-length, 0}, {0, -width}, {length, 0}, {0, width}}});
+      const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5)),
+                                 above = contacts(box, Pose::Identity(), needle, upright);
+      ASSERT_EQ(found.size() + above.size(), 2u);
+      EXPECT_EQ(found[0].normal, Vec2(1, 0));
+      EXPECT_NEAR(found[0].depth, 3.75 + length, 1e-14);
+      EXPECT_NEAR((found[0].point - Vec2(10.25, 4.5)).norm(), 0, 1e-14);
+      EXPECT_NEAR((above[0].normal - Vec2(0, 1)).norm(), 0, 1e-14);
+      EXPECT_NEAR((above[0].point - Vec2(1.75, 2.5)).norm(), 0, 1e-14);
+    }
 }
 
 /// Of the edges at the deepest vertex the one that is more across the normal, whichever way round the ring runs.

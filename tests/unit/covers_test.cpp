@@ -101,6 +101,14 @@ TEST(Covers, RefusesWhatItCannotTell) {
   EXPECT_FALSE(scene.covers(area, tricover::poseAt(100, 0)));
 }
 
+/// Two convex areas around the hole of what has no end.
+TEST(Covers, WhatHasNoEndByNothingThatHas) {
+  const Polygon outside = box(1, 1).complement();
+  const Polygon left({rectangle(-9, -9, 8, 9)}), right({rectangle(-8, -9, 9, 9)});
+  EXPECT_FALSE(together({left, right}, outside));
+  EXPECT_TRUE(together({left, box(0.5, 0.5).complement()}, outside));
+}
+
 /// A border ends where edges cross: its distance is compared exactly, whatever the size.
 TEST(Covers, BordersThatEndAtCrossings) {
   for (const double size : {1.0, 3.0, 0x1p-990, 0x1p990, 0x1.9p-400, 0x1.9p400}) {

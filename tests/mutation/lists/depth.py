@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
-    ("src/depth/border.cpp", "if (polygon.isDegenerate()) return nullptr;", "", "depth: a segment has an inside"),
     ("src/depth/border.cpp", "return side != 0; })) return &polygon;", "return true; })) return &polygon;", "depth: slits and edges used twice are borders"),
-    ("src/depth/depth.cpp", "result.is_point_of_a = of_a.distance > of_b.distance;", "result.is_point_of_a = of_a.distance > 0;", "depth: a's point though b's is deeper"),
+    ("src/depth/depth.cpp", "result.is_point_of_a = of_a.distance > of_b.distance;", "result.is_point_of_a = of_a.distance < of_b.distance;", "depth: the point that isn't as deep"),
     ("src/depth/depth.cpp", "if (found.upper_bound > 64 * precision) return found;", "return found;", "depth: rounding hides whether interiors meet"),
     ("src/depth/depth.cpp", "depth.is_point_of_a = !depth.is_point_of_a;", "", "depth: whose point it is, of swapped operands"),
     ("src/depth/depth.cpp", "if (found.depth > enough) return found;", "return found;", "negative margins: a depth near the margin isn't looked at closely"),

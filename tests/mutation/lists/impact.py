@@ -60,7 +60,6 @@ MUTATIONS = [
     ("src/depth/least_distance.cpp", "ImpactOptions closer{std::min(margin + options_.margin, kLargest), 0};", "ImpactOptions closer{std::min(margin, kLargest), 0};", "least distance: without its margin"),
     ("src/depth/least_distance.cpp", "closer.absent_outside = options_.absent_outside;", "", "least distance: of bodies that are absent"),
     ("src/impact/cast_ray.cpp", "< 0x1p1020 ? 1 : 0x1p-4", "< 0x1p1020 ? 1 : 1.0", "ray with a margin: longer than a double"),
-    ("src/depth/least_distance.cpp", " / kSamples : end_);", " / kSamples : begin_);", "least distance: not at the end"),
     ("src/depth/least_distance.cpp", "if (step == 0) least_.distance = 0;", "", "least distance: of bodies that meet, but for rounding"),
     ("src/depth/trajectory.cpp", "if (!body->absent_outside) continue;", "continue;", "trajectories: bodies that are absent stay"),
     ("src/impact/convex_slide.cpp", "nearestOnSegment(-start, Vec2::Zero(), Vec2(path[0], path[1]))", "Vec2(0, 0)", "slides: discs at the start only"),

@@ -103,6 +103,7 @@ MUTATIONS = [
     ("src/pair/discs.h", "((look_.near + error_) * a_.unit", "((look_.free + error_) * a_.unit", "field: the farthest is the nearest"),
     ("src/distance/tree_distance.cpp", "if (apart > 0) search.limitTo(", "search.limitTo(", "field: the order of what meets"),
     ("src/hierarchy/inclusion.h", "if (look.free > error) return", "return", "field: a side beside the outline"),
+    ("src/pair/meet_in_field.cpp", "along * std::abs(u_across) + across", "across", "field: edges beside a corner of the body's box"),
     ("src/pair/meet_in_field.cpp", "return is_any_near ||", "return", "field: containment where edges are near"),
     ("src/pair/discs.h", "kShrunk - look_.near;", "kStretched - look_.free;", "field: an edge is as near as it may be"),
 ]

@@ -2,7 +2,7 @@
 # (file, text as it stands there once, replacement, what it breaks): see ../run.py.
 MUTATIONS = [
     ("src/scene/bounds.cpp", "(kTiny + reach)", "(kTiny)", "scene: boxes without the margin"),
-    ("src/scene/bounds.cpp", "if (finite == 3)", "if (true)", "scene: boxes that overflow"),
+    ("src/scene/bounds.cpp", "finite ? low : -endless", "low", "scene: boxes that overflow"),
     ("src/scene/bounds.cpp", "  reach += errorOfLargest(polygon);\n", "", "scene: boxes of the largest polygons, of which impacts know nothing"),
     ("src/scene/sweep.h", " + errorOfLargest(polygon_)", "", "scene: sweeps of the largest polygons, of which impacts know nothing"),
     ("src/scene/moves.cpp", "std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost)", "body.polygon.data().radius + marginOfBox(body.options.margin)", "scene: a step that overflows is short beside a size that does"),
@@ -21,7 +21,7 @@ MUTATIONS = [
     ("src/scene/scene_state.cpp", "bodies[other].fresh && other <= body", "bodies[other].fresh", "scene: pairs of two bodies that are new found by neither"),
     ("src/scene/scene_state.cpp", "if (body < link.other || !finds(", "if (body < link.other && !finds(", "scene: pairs that are due for both bodies left out"),
     ("src/scene/sweep.h", "leg != legs_.end() && leg->begin() <= end", "leg != legs_.end() && leg->begin() < begin", "scene: of a trajectory's legs in an interval the first alone"),
-    ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0", "options.touching == Touching::Collides", "clear box: learnt where an overlap is allowed"),
+    ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0 &&", "options.touching == Touching::Collides &&", "clear box: learnt where an overlap is allowed"),
     ("src/scene/collides.cpp", "state_.passes(filter_, slot) && !state_", "!state_", "scene: bodies that a filter leaves out"),
     ("src/scene/scene_state.cpp", "    room = 0;\n", "", "negative margins: a certificate outlasts an overlap that is allowed"),
     ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, std::abs(options.margin))", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
