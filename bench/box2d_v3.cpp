@@ -19,8 +19,8 @@
 #include "shapes.h"
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::bench {

@@ -81,7 +81,8 @@ Result measured(const char* input, const std::string& query, const std::function
 }  // namespace
 
 std::vector<Result> measureLastingContact() {
-  const Polygon ground = Polygon::box(20, 1), crate = Polygon::box(1, 1), robot = Polygon::box(1, 0.8), square = Polygon::box(2, 2), low = Polygon::box(1, 0.6);
+  const Polygon ground = Polygon::box(20, 1), crate = Polygon::box(1, 1), robot = Polygon::box(1, 0.8),
+                square = Polygon::box(2, 2), low = Polygon::box(1, 0.6);
   const Polygon post({{{-0.25, -1}, {0.25, -1}, {0.25, 0}, {-0.25, 0}}}), corner({{{0, 0}, {1, 0.5}, {0.5, 1}}});
   const Polygon rod = Polygon::segment({0, 0}, {1, 0});
   const auto from = [](double x, double y, const Vec2& shift) { return Motion::translation(poseAt(x, y), shift); };

@@ -50,7 +50,11 @@ Body polygonBody(std::size_t vertices) {
 }
 
 Body discBody(double radius) {
-  return {"disc", 1, radius, shape(Polygon::point({0, 0}), radius, radius), {{"FCL", std::make_shared<fcl::Sphered>(radius)}}};
+  return {"disc",
+          1,
+          radius,
+          shape(Polygon::point({0, 0}), radius, radius),
+          {{"FCL", std::make_shared<fcl::Sphered>(radius)}}};
 }
 
 /// One of FCL's geometries, which is the same in ours and in FCL's pairs.

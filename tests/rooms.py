@@ -19,7 +19,7 @@ CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["convex"], ["overlay
         ["contact", "paper"], ["depth"], ["scene"], ["drawing", "io"]]
 # Public headers by the room that defines their functions. All others define none: types, options and results.
 PUBLIC = {
-    "numbers": ["motion", "pose"],
+    "numbers": ["motion", "pose", "trajectory"],
     "polygon": ["outline", "pair_cache", "polygon"],
     "hierarchy": ["locate"],
     "distance": ["distance"],
@@ -27,7 +27,7 @@ PUBLIC = {
     "penetration": ["penetration"],
     "contact": ["contacts"],
     "paper": ["paper"],
-    "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact", "trajectory"],
+    "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact"],
     "scene": ["scene"],
     "drawing": ["svg"],
     "io": ["occupancy_grid_io"],

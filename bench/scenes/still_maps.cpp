@@ -7,8 +7,8 @@
 #include "random.h"
 #include "rivals/boost.h"
 #include "shapes.h"
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 
 namespace tricover::bench {
 namespace {

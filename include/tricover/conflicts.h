@@ -17,6 +17,9 @@ struct Conflict {
   /// True if a search ended at its budget within this interval, which then reaches to 1. Contact before impact.time is
   /// excluded, but the polygons may be apart for parts of the interval.
   bool budget_ended = false;
+  /// True if the polygons still meet at `end`, because time ends there, or a body jumps or vanishes; otherwise they are
+  /// apart then.
+  bool meets_at_end = false;
 };
 
 /// Returns all intervals of time from 0 to 1 in which two moving polygons meet: timeOfImpact(), and again after each
@@ -45,5 +48,15 @@ struct Conflict {
 /// \snippet time_of_impact.cpp conflicts
 TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Motion& motion_a, const Polygon& b,
                                                 const Motion& motion_b, const ImpactOptions& options = {});
+
+/// Returns all time intervals in which the bodies meet. The last one ends at the last end of the two, if they meet
+/// then, or where a body vanishes.
+///
+/// \throws std::invalid_argument for a margin that is not finite, for a time_error that is negative or not finite, and
+/// for two bodies that always rest
+///
+/// \snippet trajectory.cpp trajectory
+TRICOVER_EXPORT std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                                const Trajectory& trajectory_b, const ImpactOptions& options = {});
 
 }  // namespace tricover

@@ -16,9 +16,6 @@ struct ImpactOptions {
   /// If true, polygons that collide at time 0, with the margin, have no impact before they have separated once. The
   /// search may miss a separation shorter than `time_error` (or 1e-9, if that is more).
   bool ignore_initial = false;
-  /// If true, a body of a trajectory is absent before its trajectory begins and after it ends. Otherwise it rests
-  /// there. A body that has no trajectory of its own is always there.
-  bool absent_outside = false;
 };
 
 /// The first contact of two motions, in the world.

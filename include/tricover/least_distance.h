@@ -12,8 +12,6 @@ namespace tricover {
 struct LeastDistanceOptions {
   double margin = 0;    ///< A world length, at least 0 and finite, which is subtracted from the distance.
   double error = 1e-6;  ///< A world length, positive: how much more than the least one the distance may be.
-  /// As ImpactOptions::absent_outside, for trajectories.
-  bool absent_outside = false;
 };
 
 /// The least distance of two moving bodies, in the world.
@@ -42,11 +40,11 @@ struct LeastDistance {
 TRICOVER_EXPORT LeastDistance leastDistance(const Polygon& a, const Motion& motion_a, const Polygon& b,
                                             const Motion& motion_b, const LeastDistanceOptions& options = {});
 
-/// Returns the same along trajectories, from the first begin to the last end of the two or, with `absent_outside`,
-/// while both bodies are there. Times are the trajectories' own.
+/// Returns the same along trajectories, from the first begin to the last end of the two, while both bodies are there.
+/// Times are the trajectories' own.
 ///
 /// \throws std::invalid_argument for a margin that is negative or not finite, for an error that is not finite and
-/// positive, and for bodies that are never there together
+/// positive, for bodies that are never there together, and for two that always rest
 ///
 /// \snippet time_of_impact.cpp least distance
 TRICOVER_EXPORT LeastDistance leastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,

@@ -27,8 +27,8 @@ struct CoveringTriangle {
   int sign;  ///< The sign of the triangle's area: 1 or -1, and 0 where the edge's line goes through S.
 };
 
-/// The covering: one triangle an edge, in the edges' order, from S, which is Polygon::coveringOrigin(). O(n), made anew at each
-/// call.
+/// The covering: one triangle an edge, in the edges' order, from S, which is Polygon::coveringOrigin(). O(n), made anew
+/// at each call.
 ///
 /// \snippet paper.cpp covering
 TRICOVER_EXPORT std::vector<CoveringTriangle> covering(const Polygon& polygon);

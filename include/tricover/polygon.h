@@ -113,8 +113,8 @@ class TRICOVER_EXPORT Polygon {
   /// S, the covering's origin: a point near the region's centroid, inside the bounding box.
   const Vec2& coveringOrigin() const;
 
-  /// The radius of the bounding disc around coveringOrigin(): at least the distance to every vertex. It is rounded up, and
-  /// infinity where it overflows.
+  /// The radius of the bounding disc around coveringOrigin(): at least the distance to every vertex. It is rounded up,
+  /// and infinity where it overflows.
   double radius() const;
 
   /// The area of the region, by its fill rule: holes count as holes whichever way their rings run, and what two rings

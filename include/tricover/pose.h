@@ -26,8 +26,8 @@ static_assert(alignof(Vec2) == 16,
 using Pose = Eigen::Isometry2d;
 
 /// Returns the pose of a body at (x, y) in the world whose frame is rotated by `heading`, in radians,
-/// counter-clockwise. A heading within rounding of a quarter turn, as M_PI / 2 is, gives exact zeros and ones, so that a
-/// part turned by it touches what it touched. \snippet pose.cpp pose
+/// counter-clockwise. A heading within rounding of a quarter turn, as M_PI / 2 is, gives exact zeros and ones, so that
+/// a part turned by it touches what it touched. \snippet pose.cpp pose
 TRICOVER_EXPORT Pose poseAt(double x, double y, double heading = 0);
 
 /// How far an entry of R^T R may be from the identity's. Products of a thousand equal factors of float, or of a hundred

@@ -124,14 +124,11 @@ struct BodyMotion {
   Motion motion;    ///< Replaces the body's pose.
 };
 
-/// The motion of a body by the caller's clock. Before the trajectory begins and after it ends, the body rests at that
-/// end, or is absent, whatever its pose in the scene.
+/// The motion of a body by the caller's clock. Before the trajectory begins and after it ends, the body rests there, or
+/// is absent, as the trajectory says, whatever its pose in the scene.
 struct BodyTrajectory {
   BodyHandle body;        ///< The body that moves.
   Trajectory trajectory;  ///< Replaces the body's pose.
-  /// If true, this body is absent before its trajectory begins and after it ends. (ImpactOptions::absent_outside says
-  /// so of all bodies.)
-  bool absent_outside = false;
 };
 
 /// The impact of two bodies.

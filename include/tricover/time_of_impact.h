@@ -7,6 +7,7 @@
 #include "tricover/impact.h"
 #include "tricover/motion.h"
 #include "tricover/polygon.h"
+#include "tricover/trajectory.h"
 
 namespace tricover {
 
@@ -22,8 +23,8 @@ namespace tricover {
 /// - for either polygon |shift|, |pivot|, and (1 + |angle|) times the largest distance of its points from the pivot,
 ///   where |shift| and |angle| stand for the sums of all their terms' sizes.
 ///
-/// (For a polygon that doesn't turn, read coveringOrigin() for the pivot.) Where L exceeds 1e307, whatever may come near may be
-/// reported.
+/// (For a polygon that doesn't turn, read coveringOrigin() for the pivot.) Where L exceeds 1e307, whatever may come
+/// near may be reported.
 ///
 /// The cost grows with the number of turns that the polygons make near each other. The search has a budget, which grows
 /// with the number of edges. It lasts for all but contrived inputs: thousands of edges that come near thousands of
@@ -43,5 +44,15 @@ namespace tricover {
 /// \snippet time_of_impact.cpp allowed overlap
 TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Motion& motion_a, const Polygon& b,
                                                    const Motion& motion_b, const ImpactOptions& options = {});
+
+/// The first contact of two bodies on their trajectories, from the first begin to the last end of the two, while both
+/// are there. All is as for two motions; times, and `time_error`, are the trajectories' own.
+///
+/// \throws std::invalid_argument for a margin that is not finite, for a time_error that is negative or not finite, and
+/// for two bodies that always rest
+///
+/// \snippet trajectory.cpp trajectory
+TRICOVER_EXPORT std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                                   const Trajectory& trajectory_b, const ImpactOptions& options = {});
 
 }  // namespace tricover

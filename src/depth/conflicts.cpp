@@ -187,8 +187,10 @@ void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, co
   const auto add = [&](Impact impact, const Reached& last) {
     impact.time = timeWithin(begin, length, impact.time);
     if (all.empty() || impact.time > all.back().end) all.push_back({impact, end});
-    all.back().end = last.is_known && last.time < 1 ? std::min(end, begin + length * last.time) : end;
+    const bool ends_before = last.is_known && last.time < 1;
+    all.back().end = ends_before ? std::min(end, begin + length * last.time) : end;
     all.back().budget_ended |= !last.is_known;
+    all.back().meets_at_end = !ends_before && contact.touchAt(1);
   };
   double time = 0;
   leaves_out = leaves_out && contact.touchAt(0);

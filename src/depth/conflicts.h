@@ -63,16 +63,10 @@ class MovingContact {
 void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double begin,
                   double end, const ImpactOptions& options, bool& leaves_out, std::vector<Conflict>& all);
 
-/// A trajectory, and whether its body is absent outside of its time.
-struct TimedBody {
-  const Trajectory& trajectory;
-  bool absent_outside;
-};
-
-/// timeOfImpact() and conflicts() of trajectories, with options that have been checked and that say nothing of absence.
-std::optional<Impact> timeOfImpact(const Polygon& a, const TimedBody& body_a, const Polygon& b, const TimedBody& body_b,
-                                   const ImpactOptions& options);
-std::vector<Conflict> conflicts(const Polygon& a, const TimedBody& body_a, const Polygon& b, const TimedBody& body_b,
-                                const ImpactOptions& options);
+/// timeOfImpact() and conflicts() of trajectories, with options that have been checked.
+std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                   const Trajectory& trajectory_b, const ImpactOptions& options);
+std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
+                                const Trajectory& trajectory_b, const ImpactOptions& options);
 
 }  // namespace tricover::detail

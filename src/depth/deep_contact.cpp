@@ -48,7 +48,8 @@ bool MovingContact::staysDeep(double time, double next, double at) const {
   if (!walls) walls.emplace(wallsOf(of_a ? b_ : a_));
   const Vec2 place = own.at(at).inverse(Eigen::Affine) * (of_a ? deep.point_a : deep.point_b);
   if (!place.allFinite()) return false;
-  return !timeOfImpact(*walls, other.part(time, next), Polygon::point(place), own.part(time, next), {-touch_margin_, 1});
+  return !timeOfImpact(*walls, other.part(time, next), Polygon::point(place), own.part(time, next),
+                       {-touch_margin_, 1});
 }
 
 /// The first contact that is as deep as the margin allows.

@@ -14,7 +14,7 @@
 namespace tricover {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargest = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
 
 void checkOptions(const LeastDistanceOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
@@ -50,7 +50,6 @@ class LeastOnWay {
         break;  // they are neighbours
       }
       ImpactOptions closer{std::min(margin + options_.margin, kLargest), 0};
-      closer.absent_outside = options_.absent_outside;
       const std::optional<Impact> impact = timeOfImpact(a_, path_a_, b_, path_b_, closer);
       if (!impact) {
         lower = margin;
@@ -121,12 +120,18 @@ LeastDistance leastDistance(const Polygon& a, const Motion& motion_a, const Poly
 LeastDistance leastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                             const Trajectory& trajectory_b, const LeastDistanceOptions& options) {
   checkOptions(options);
-  const bool together = options.absent_outside;
-  const double begin = together ? std::max(trajectory_a.begin(), trajectory_b.begin())
-                                : std::min(trajectory_a.begin(), trajectory_b.begin());
-  const double end =
-      together ? std::min(trajectory_a.end(), trajectory_b.end()) : std::max(trajectory_a.end(), trajectory_b.end());
-  if (!(begin <= end)) detail::refuse("absent_outside", "the bodies are never there together");
+  double begin = kInfinity, end = -kInfinity, appear = -kInfinity, vanish = kInfinity;
+  for (const Trajectory* body : {&trajectory_a, &trajectory_b}) {
+    if (body->rests()) continue;
+    begin = std::min(begin, body->begin());
+    end = std::max(end, body->end());
+    if (body->appears()) appear = std::max(appear, body->begin());
+    if (body->vanishes()) vanish = std::min(vanish, body->end());
+  }
+  if (begin == kInfinity) detail::refuse("trajectories", "both bodies always rest", "ask distance()");
+  begin = std::max(begin, appear);
+  end = std::min(end, vanish);
+  if (!(begin <= end)) detail::refuse("trajectories", "the bodies are never there together");
   return LeastOnWay<Trajectory>(a, trajectory_a, b, trajectory_b, begin, end, options).find();
 }
 

@@ -12,8 +12,8 @@
 #include "overlay/plain_ray.h"
 #include "pair/posed_pair.h"
 #include "polygon/edge_position.h"
-#include "tricover/ray.h"
 #include "tricover/polygon.h"
+#include "tricover/ray.h"
 
 namespace tricover {
 namespace {
@@ -129,8 +129,8 @@ class RoundRay {
   }
 
   std::optional<RayHit> first(const Vec2& from, const Vec2& to) const {
-    const auto impact =
-        detail::impactOf(Polygon::point(from), Motion::translation(Pose::Identity(), to - from), polygon_, still_, {margin_, 0});
+    const auto impact = detail::impactOf(Polygon::point(from), Motion::translation(Pose::Identity(), to - from),
+                                         polygon_, still_, {margin_, 0});
     if (!impact) return std::nullopt;
     return RayHit{impact->time, (from + impact->time * (to - from)) / scale_, -impact->normal,
                   impact->time > 0 ? impact->edge_b : -1};

@@ -28,8 +28,8 @@ void requireFiniteEntries(const Pose& pose, const char* name) {
 Pose poseAt(double x, double y, double heading) {
   constexpr double kQuarterTurn = detail::kPi / 2, kMostQuarters = 1 << 20;  // beyond, everything is near one
   const double quarters = std::round(heading / kQuarterTurn);
-  const bool is_quarter = std::abs(quarters) <= kMostQuarters &&
-                          std::abs(heading - quarters * kQuarterTurn) <= 0x1p-51 * std::abs(heading);
+  const bool is_quarter =
+      std::abs(quarters) <= kMostQuarters && std::abs(heading - quarters * kQuarterTurn) <= 0x1p-51 * std::abs(heading);
   double cosine = std::cos(heading), sine = std::sin(heading);
   if (is_quarter) cosine = std::round(cosine), sine = std::round(sine);
   Pose pose = Pose::Identity();

@@ -34,9 +34,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostPairIntervals = 8;
 
 Motion stillBeside(const Motion&, const Pose& pose) { return Motion::still(pose); }
-Trajectory stillBeside(const Trajectory& other, const Pose& pose) {
-  return Trajectory({{other.begin(), other.end(), Motion::still(pose)}});
-}
+Trajectory stillBeside(const Trajectory&, const Pose& pose) { return pose; }
 
 ImpactOptions withMargin(ImpactOptions options, double margin) {
   options.margin = detail::marginSum(options.margin, margin);
@@ -93,6 +91,8 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Traje
 
 namespace {
 
+bool alwaysRests(const Motion&) { return false; }
+bool alwaysRests(const Trajectory& trajectory) { return trajectory.rests(); }
 const Motion& pathOf(const BodyMotion& moving) { return moving.motion; }
 const Trajectory& pathOf(const BodyTrajectory& moving) { return moving.trajectory; }
 
@@ -109,6 +109,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     const Sweep& sweep = sweeps.emplace_back(body.polygon, legsOf(pathOf(moving)), body.options.margin + 0.5 * margin);
     most = std::max(most, sweep.intervals());
     legs = std::max(legs, sweep.legs().size());
+    if (alwaysRests(pathOf(moving))) continue;
     begin = std::min(begin, sweep.begin());
     end = std::max(end, sweep.end());
   }
@@ -194,9 +195,29 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
   return all;
 }
 
-detail::TimedBody timed(const BodyTrajectory& moving, const ImpactOptions& options) {
-  return {moving.trajectory, moving.absent_outside || options.absent_outside};
-}
+/// From the first begin to the last end of trajectories.
+class Clock {
+ public:
+  explicit Clock(const std::vector<BodyTrajectory>& trajectories) {
+    for (const BodyTrajectory& moving : trajectories) {
+      if (moving.trajectory.rests()) continue;
+      begin_ = std::min(begin_, moving.trajectory.begin());
+      end_ = std::max(end_, moving.trajectory.end());
+    }
+    if (!trajectories.empty() && !(begin_ < end_))
+      detail::refuse("trajectories", "all bodies always rest", "ask collisions() or nearest()");
+  }
+
+  /// Two that always rest have no time of their own: query(first, second), where the first one rests by the clock.
+  template <typename Query>
+  auto beside(const Trajectory& first, const Trajectory& second, Query query) const {
+    if (!first.rests() || !second.rests()) return query(first, second);
+    return query(Trajectory({{begin_, end_, Motion::still(first.at(begin_))}}), second);
+  }
+
+ private:
+  double begin_ = kInfinity, end_ = -kInfinity;
+};
 
 }  // namespace
 
@@ -213,19 +234,26 @@ std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, c
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options,
                                        const Parallel& parallel) const {
+  const Clock clock(trajectories);
   return queryPairs<PairImpact, std::optional<Impact>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
-        return detail::timeOfImpact(p, timed(moving_p, both), q, timed(moving_q, both), both);
+      [&](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return clock.beside(moving_p.trajectory, moving_q.trajectory,
+                            [&](const Trajectory& of_p, const Trajectory& of_q) {
+                              return detail::timeOfImpact(p, of_p, q, of_q, both);
+                            });
       });
 }
 
 std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& trajectories,
                                            const ImpactOptions& options, const Parallel& parallel) const {
+  const Clock clock(trajectories);
   return queryPairs<PairConflict, std::vector<Conflict>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
-        return detail::conflicts(p, timed(moving_p, both), q, timed(moving_q, both), both);
+      [&](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return clock.beside(
+            moving_p.trajectory, moving_q.trajectory,
+            [&](const Trajectory& of_p, const Trajectory& of_q) { return detail::conflicts(p, of_p, q, of_q, both); });
       });
 }
 

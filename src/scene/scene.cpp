@@ -45,10 +45,12 @@ Scene::Body Scene::add(const Polygon& polygon, const Pose& pose, const BodyOptio
 
 std::vector<Scene::Body> Scene::add(const std::vector<BodyPlacement>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!std::isfinite(bodies[i].options.margin))
-      detail::requireFiniteMargin(bodies[i].options.margin, ("margins[" + std::to_string(i) + "]").c_str());
-    check(bodies[i].options);
-    detail::requireRigid(bodies[i].pose, "poses", i);
+    const BodyPlacement& body = bodies[i];
+    const auto name = [&](const char* field) { return "bodies[" + std::to_string(i) + "]." + field; };
+    if (!std::isfinite(body.options.margin))
+      detail::requireFiniteMargin(body.options.margin, name("options.margin").c_str());
+    check(body.options);
+    if (!detail::isPlainlyRigid(body.pose)) detail::requireRigid(body.pose, name("pose").c_str());
   }
   impl_->makeRoomFor(bodies.size());
   std::vector<Body> handles;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 
 namespace {
 

@@ -50,7 +50,8 @@ std::string pictureOfDepths() {
   const tricover::Polygon area = tricover::Polygon::box(9, 9).complement(), crate = tricover::Polygon::box(2, 2);
   const tricover::Pose in_corner = tricover::poseAt(-0.2, -0.2), lot = tricover::poseAt(3.5, 3.5);
   draw(corner, crate, still, in_corner, tricover::depth(area, lot, crate, in_corner), "0.28");
-  const tricover::Polygon bar = tricover::Polygon::box(4, 1), wall = tricover::Polygon::box(4, 0.2), robot = tricover::Polygon::box(2, 2);
+  const tricover::Polygon bar = tricover::Polygon::box(4, 1), wall = tricover::Polygon::box(4, 0.2),
+                          robot = tricover::Polygon::box(2, 2);
   const tricover::Pose second = tricover::poseAt(5.5, 0), across = tricover::poseAt(5.5, 0, M_PI / 2);
   draw(bar, bar, second, across, tricover::depth(bar, second, bar, across), "0.50");
   const tricover::Pose third = tricover::poseAt(11, 0);

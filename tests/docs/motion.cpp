@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -21,6 +22,10 @@ TEST(Documentation, Motion) {
   const tricover::Motion turn = tricover::Motion::between(start, end, {1, 0});
   EXPECT_TRUE(turn.at(1).isApprox(end, 1e-12));
   EXPECT_TRUE((turn.at(0.5) * tricover::Vec2(1, 0)).isApprox(tricover::Vec2(5.5, 0.5)));
+
+  // A quarter of a circle around a pillar at (10, 0).
+  const tricover::Motion bend = tricover::Motion::arc(start, {10, 0}, M_PI / 2);
+  EXPECT_TRUE(bend.at(1).isApprox(tricover::poseAt(10, -10, M_PI / 2), 1e-12));
 
   // A cubic spline: from rest at the origin to (10, 0) and a quarter turn, arriving at a velocity.
   const tricover::Motion swing =

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "tricover/collide.h"
@@ -23,6 +24,7 @@ TEST(Documentation, Pose) {
 
   const tricover::Pose robot = tricover::poseAt(2, 3, 0.5);  // at (2, 3), heading half a radian left of x
   EXPECT_EQ(robot.translation(), tricover::Vec2(2, 3));
+  EXPECT_EQ(tricover::poseAt(5, 0, M_PI / 2) * tricover::Vec2(1, 0), tricover::Vec2(5, 1));  // no rounding
   //! [pose]
 }
 

@@ -37,7 +37,8 @@ TEST(Readme, Queries) {
 }
 
 TEST(Readme, Containment) {
-  const Polygon lot = Polygon::box(20, 10), car = Polygon::box(4, 2), dock({{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}});
+  const Polygon lot = Polygon::box(20, 10), car = Polygon::box(4, 2),
+                dock({{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}});
   const Polygon& robot = car;
   const tricover::Pose pose_lot = here, pose_car = poseAt(1, 1);
   const Motion still = Motion::still(here), motion = Motion::translation(poseAt(-5, 2), {10, 0});

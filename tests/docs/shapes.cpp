@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tricover/polygon.h"
-
 #include <gtest/gtest.h>
 
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/polygon.h"
 
 namespace {
 

@@ -144,15 +144,15 @@ TEST(Throws, Motions) {
 TEST(Throws, OptionsOfMotions) {
   for (const double bad : {kNaN, kInfinity}) {
     THROWS(time_of_impact.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, still, square, still, {bad}));
-    THROWS(trajectory.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, path, square, path, {bad}));
+    THROWS(time_of_impact.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, path, square, path, {bad}));
     THROWS(conflicts.h, conflicts, std::invalid_argument, conflicts(square, still, square, still, {bad}));
-    THROWS(trajectory.h, conflicts, std::invalid_argument, conflicts(square, path, square, path, {bad}));
+    THROWS(conflicts.h, conflicts, std::invalid_argument, conflicts(square, path, square, path, {bad}));
   }
   for (const double bad : {kNaN, kInfinity, -1.0}) {
     THROWS(time_of_impact.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, still, square, still, {0, bad}));
-    THROWS(trajectory.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, path, square, path, {0, bad}));
+    THROWS(time_of_impact.h, timeOfImpact, std::invalid_argument, timeOfImpact(square, path, square, path, {0, bad}));
     THROWS(conflicts.h, conflicts, std::invalid_argument, conflicts(square, still, square, still, {0, bad}));
-    THROWS(trajectory.h, conflicts, std::invalid_argument, conflicts(square, path, square, path, {0, bad}));
+    THROWS(conflicts.h, conflicts, std::invalid_argument, conflicts(square, path, square, path, {0, bad}));
     THROWS(least_distance.h, leastDistance, std::invalid_argument, leastDistance(square, still, square, still, {bad}));
     THROWS(least_distance.h, leastDistance, std::invalid_argument, leastDistance(square, path, square, path, {bad}));
   }
@@ -162,7 +162,7 @@ TEST(Throws, OptionsOfMotions) {
     THROWS(least_distance.h, leastDistance, std::invalid_argument, leastDistance(square, path, square, path, {0, bad}));
   }
   THROWS(least_distance.h, leastDistance, std::invalid_argument,
-         leastDistance(square, path, square, later, {0, 1e-6, /*absent_outside*/ true}));
+         leastDistance(square, path.vanishing(), square, later.appearing()));
 }
 
 TEST(Throws, Polygons) {
@@ -193,7 +193,8 @@ TEST(Throws, Polygons) {
          Polygon({cross, across}, FillRule::NonZero).complement());
   THROWS(polygon.h, Polygon::point, std::invalid_argument, Polygon::point(bad_point));
   THROWS(polygon.h, Polygon::segment, std::invalid_argument, Polygon::segment(p, bad_point));
-  for (const double bad : {kNaN, kInfinity, 0.0}) THROWS(polygon.h, Polygon::box, std::invalid_argument, Polygon::box(1, bad));
+  for (const double bad : {kNaN, kInfinity, 0.0})
+    THROWS(polygon.h, Polygon::box, std::invalid_argument, Polygon::box(1, bad));
 }
 
 TEST(Throws, PosesAndMaps) {

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
+
+#include "tricover/conflicts.h"
+#include "tricover/least_distance.h"
 
 namespace {
 
@@ -36,6 +40,27 @@ TEST(Documentation, Trajectory) {
   EXPECT_EQ(longer.end(), 10);
   EXPECT_TRUE(longer.part(9, 10).at(1).isApprox(longer.at(10)));
   //! [trajectory]
+}
+
+TEST(Documentation, TrajectoryThatAppears) {
+  //! [appears]
+  // A robot comes out of a lift after 10 s, and parks; another one leaves by the lift at 20 s; a shelf always rests.
+  const tricover::Polygon robot = tricover::Polygon::box(1, 1);
+  const auto comes = tricover::Trajectory::through({{10, tricover::poseAt(0, 0)}, {14, tricover::poseAt(4, 0)}});
+  const auto leaves = tricover::Trajectory::through({{0, tricover::poseAt(9, 0)}, {9, tricover::poseAt(0, 0)}});
+  EXPECT_EQ(tricover::conflicts(robot, comes, robot, leaves).size(), 1u);
+  EXPECT_TRUE(tricover::conflicts(robot, comes.appearing(), robot, leaves.vanishing()).empty());
+  EXPECT_EQ(tricover::leastDistance(robot, tricover::poseAt(4, 3), robot, comes.appearing()).distance, 2);
+  //! [appears]
+}
+
+TEST(Documentation, TrajectoryOfWaypoints) {
+  //! [waypoints]
+  // It turns round by the left, once and a half.
+  const auto turns = tricover::Trajectory::through({{0, {0, 0}, 0}, {6, {0, 0}, 3 * M_PI}});
+  EXPECT_NEAR(turns.legs()[0].motion.angle, 3 * M_PI, 1e-15);
+  EXPECT_EQ(turns.at(6) * tricover::Vec2(1, 0), tricover::Vec2(-1, 0));
+  //! [waypoints]
 }
 
 }  // namespace

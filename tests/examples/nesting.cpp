@@ -83,9 +83,9 @@ int run(const std::vector<std::string>& arguments) {
   for (const auto body : scene.bodies()) {
     if (body == sheet) continue;
     drawing.polygon(scene.polygon(body), scene.pose(body), "#a7c7e7", "#333", kKerf / 2);
-    drawing.polyline(
-        {before.pose(body) * before.polygon(body).coveringOrigin(), scene.pose(body) * scene.polygon(body).coveringOrigin()},
-        "#dc2626");
+    drawing.polyline({before.pose(body) * before.polygon(body).coveringOrigin(),
+                      scene.pose(body) * scene.polygon(body).coveringOrigin()},
+                     "#dc2626");
   }
   savePicture(drawing, arguments[0]);
   return 0;

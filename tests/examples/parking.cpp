@@ -23,22 +23,22 @@ int main() {
     std::cout << "(" << at.translation().transpose() << "): "
               << (covers(lot, poseAt(0, 0), car, at, {0.2}) ? "in the lot with 0.2 m to spare\n"
                   : covers(lot, poseAt(0, 0), car, at)      ? "in the lot\n"
-                  : drivable.covers(car, at)              ? "in the lot and the lane\n"
-                                                          : "outside\n");
+                  : drivable.covers(car, at)                ? "in the lot and the lane\n"
+                                                            : "outside\n");
 
   // The way into a bay in 8 s, beside all that isn't drivable.
   const auto way = tricover::Trajectory::spline(
       {{0, {{4, 3}, 0, {2, 0}, 0}}, {4, {{12, 3.5}, 0.2, {2, 0.5}, 0.3}}, {8, {{18, 8}, M_PI / 2, {0, 0.5}, 0}}});
-  const auto border = tricover::Trajectory::through({{0, poseAt(0, 0)}, {8, poseAt(0, 0)}});
-  const auto least = leastDistance(lot.complement(), border, car, way);
+  const auto least = leastDistance(lot.complement(), poseAt(0, 0), car, way);
   std::cout << "least clearance " << least.distance << " m at " << least.time << " s\n";
 
   // Another car leaves its bay meanwhile, and the lot at 8 s: it is there from 1 s to 8 s.
-  const auto other = tricover::Trajectory::through(
-      {{1, poseAt(22, 7.5, M_PI / 2)}, {3, poseAt(22, 2.5, M_PI / 2)}, {4, poseAt(22, 2.5, M_PI)}, {8, poseAt(5, 2.5, M_PI)}});
+  const auto other = tricover::Trajectory::through({{1, poseAt(22, 7.5, M_PI / 2)},
+                                                    {3, poseAt(22, 2.5, M_PI / 2)},
+                                                    {4, poseAt(22, 2.5, M_PI)},
+                                                    {8, poseAt(5, 2.5, M_PI)}});
   tricover::ImpactOptions options;
   options.margin = 0.5;
-  options.absent_outside = true;
-  const std::vector<tricover::Conflict> found = conflicts(car, way, car, other, options);
+  const std::vector<tricover::Conflict> found = conflicts(car, way, car, other.appearing().vanishing(), options);
   if (!found.empty()) std::cout << "within 0.5 m from " << found[0].impact.time << " s to " << found[0].end << " s\n";
 }

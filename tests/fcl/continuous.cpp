@@ -293,8 +293,8 @@ TEST(Continuous, aTrajectoryMotionBesideFclsOwnPairsIsSampledOrRefused) {
       SCOPED_TRACE(testing::Message() << x << ", " << solver);
       for (const bool swapped : {false, true}) {
         for (const bool ours : {false, true}) {
-          const auto ask = [&](const tricover::Trajectory& trajectory, bool absent_outside) {
-            const TrajectoryMotiond motion(trajectory, 0, 1, 0, absent_outside);
+          const auto ask = [&](const tricover::Trajectory& trajectory, bool absent) {
+            const TrajectoryMotiond motion(absent ? trajectory.appearing().vanishing() : trajectory, 0, 1);
             const Motion *one = swapped ? static_cast<const Motion*>(&kRests) : &motion,
                          *other = swapped ? static_cast<const Motion*>(&motion) : &kRests;
             Request request;
@@ -306,8 +306,8 @@ TEST(Continuous, aTrajectoryMotionBesideFclsOwnPairsIsSampledOrRefused) {
               fcl::continuousCollide<double>(&box, one, &box, other, request, result);
             return result.is_collide;
           };
-          for (const auto& absent : {still(-2, -1), still(0.5, 2), still(0, 0.5)})
-            EXPECT_THROW(ask(absent, true), std::logic_error);
+          for (const auto& part : {still(-2, -1), still(0.5, 2), still(0, 0.5)})
+            EXPECT_THROW(ask(part, true), std::logic_error);
           if (solver == fcl::CCDC_NAIVE) {
             EXPECT_EQ(ask(still(-2, -1), false), x == 0);
             EXPECT_EQ(ask(still(-1, 3), true), x == 0);

@@ -122,7 +122,8 @@ TEST(Distance, isMinusOneExactlyWhereInteriorsMeet) {
                       diamond = of({{0, 0}, {1, 1}, {2, 0}, {1, -1}}), square = of(rectangle(-1, -1, 1, 1)),
                       frame = shapeOf(Polygon({rectangle(-3, -3, 3, 3), rectangle(-1, -1, 1, 1)})),
                       level = shapeOf(tricover::Polygon::segment({-1, 0}, {1, 0})),
-                      upright = shapeOf(tricover::Polygon::segment({0, -1}, {0, 1})), point = shapeOf(tricover::Polygon::point({0, 0}));
+                      upright = shapeOf(tricover::Polygon::segment({0, -1}, {0, 1})),
+                      point = shapeOf(tricover::Polygon::point({0, 0}));
   const auto expect = [](const char* what, const Shape<double>& a, const Shape<double>& b, double x, double distance) {
     const Vec3 any = Vec3::Constant(kNaN);
     expectRow({what, a, kHere, b, lifted(0, x, 0), distance, kNaN, any, any, 1e-315});

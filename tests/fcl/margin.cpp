@@ -6,8 +6,8 @@
 #include "ask.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
-#include "tricover/prepare.h"
 #include "tricover/polygon.h"
+#include "tricover/prepare.h"
 
 namespace tricover_fcl::test {
 namespace {
@@ -140,10 +140,10 @@ TEST(Margin, depthsAreTheShortestWaysOfTheGrownPolygons) {
     const Vec2 on_a = overlap.nearest_points[0].head<2>(), on_b = overlap.nearest_points[1].head<2>();
     ASSERT_LT((on_a - on_b - depth * normal).norm(), kError);
     ASSERT_LT((contact.pos.head<2>() - (on_a + on_b) / 2).norm(), kError);
-    ASSERT_NEAR(tricover::distance(a->polygon(), pose_a, tricover::Polygon::point(on_a), Pose::Identity()).distance, of_a,
-                kError);
-    ASSERT_NEAR(tricover::distance(b->polygon(), pose_b, tricover::Polygon::point(on_b), Pose::Identity()).distance, of_b,
-                kError);
+    ASSERT_NEAR(tricover::distance(a->polygon(), pose_a, tricover::Polygon::point(on_a), Pose::Identity()).distance,
+                of_a, kError);
+    ASSERT_NEAR(tricover::distance(b->polygon(), pose_b, tricover::Polygon::point(on_b), Pose::Identity()).distance,
+                of_b, kError);
   }
   EXPECT_GT(near, count / 20);
   EXPECT_GT(deep, count / 10);

@@ -31,7 +31,8 @@ TEST(MixedRound, isExactOnEveryFamily) {
       const double angle = random.real(-3, 3), size = random.coin() ? 0 : (c.pose_b.linear() * c.b.edgeStart(0)).norm();
       const Vec2 axis(std::cos(angle), std::sin(angle));
       place.linear() << axis.x(), -axis.y(), axis.y(), axis.x();
-      const Polygon segment = size == 0 ? tricover::Polygon::point({0, 0}) : tricover::Polygon::segment({-size / 2, 0}, {size / 2, 0});
+      const Polygon segment =
+          size == 0 ? tricover::Polygon::point({0, 0}) : tricover::Polygon::segment({-size / 2, 0}, {size / 2, 0});
       const mpq_class square = tricover::exact::distanceSquared(c.a, c.pose_a, segment, place);
       const double gap = tricover::exact::distanceBelow(square);
       if (!(gap > 1e-300 && gap < 1e300 && size < 1e300)) continue;
@@ -66,9 +67,10 @@ TEST(MixedRound, isExactOnEveryFamily) {
 struct Scene {
   std::shared_ptr<Body> geometry;
   Transform pose;
-  Polygon segment = tricover::Polygon::point({0, 0});  ///< what it leaves in the plane, in the world, and how far around
-  double radius = 0;                          ///< negative: it doesn't reach the heights
-  double low = 0, high = 0;                   ///< its own heights
+  Polygon segment =
+      tricover::Polygon::point({0, 0});  ///< what it leaves in the plane, in the world, and how far around
+  double radius = 0;                     ///< negative: it doesn't reach the heights
+  double low = 0, high = 0;              ///< its own heights
 };
 
 /// A sphere, capsule or cylinder near heights from `low` to `high`, whose section is known.
@@ -93,7 +95,8 @@ Scene anyRound(Random& random, double low, double high) {
     case 2:
       return {capsule, standing, point, section(rise), z - rise - r, z + rise + r};
     default:
-      return {capsule, lying(axis, at), tricover::Polygon::segment(center - half, center + half), section(0), z - r, z + r};
+      return {capsule,    lying(axis, at), tricover::Polygon::segment(center - half, center + half),
+              section(0), z - r,           z + r};
   }
 }
 

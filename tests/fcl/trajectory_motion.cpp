@@ -167,7 +167,10 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   };
   const auto ask = [&](const tricover::Trajectory& a, bool a_is_absent, const tricover::Trajectory& b, bool b_is_absent,
                        double begin = 0, double end = 20) {
-    const TrajectoryMotiond motion_a(a, begin, end, 0, a_is_absent), motion_b(b, begin, end, 0, b_is_absent);
+    const auto shown = [](const tricover::Trajectory& way, bool is_absent) {
+      return is_absent ? way.appearing().vanishing() : way;
+    };
+    const TrajectoryMotiond motion_a(shown(a, a_is_absent), begin, end), motion_b(shown(b, b_is_absent), begin, end);
     const auto result = along(kSquare, motion_a, kSquare, motion_b);
     for (int again = 0; again < 2; ++again) {
       EXPECT_EQ(along(kSquare, motion_b, kSquare, motion_a).time_of_contact, result.time_of_contact);
@@ -198,7 +201,7 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   const auto stays = std::make_shared<Slide>(lifted(0, 0, 0), lifted(0, 0, 0));
   const auto falls = straight(lifted(0, 0, 10), {0, -20, 0});
   const auto fallsOn = [&](double begin, double end) {
-    const TrajectoryMotiond motion(std::vector<TimedMotion<double>>{{begin, end, stays}}, 0, 1, true);
+    const TrajectoryMotiond motion(std::vector<TimedMotion<double>>{{begin, end, stays}}, 0, 1, true, true);
     return along(kSquare, motion, kSquare, falls);
   };
   EXPECT_NEAR(fallsOn(-1, 2).time_of_contact, 0.45, 1e-6);
@@ -207,8 +210,9 @@ TEST(TrajectoryMotion, IsAbsentOutsideOfItsTime) {
   EXPECT_FALSE(fallsOn(0.6, 1).is_collide);
   EXPECT_FALSE(fallsOn(2, 3).is_collide);
   const fcl::Halfspaced below(Vec3(1, 0, 0), -5);
-  EXPECT_EQ(along(kSquare, TrajectoryMotiond(comes, -20, 20, 0, true), below, kRests).time_of_contact, 0.5);
-  EXPECT_FALSE(along(kSquare, TrajectoryMotiond(comes, 17, 40, 0, true), below, kRests).is_collide);
+  EXPECT_EQ(along(kSquare, TrajectoryMotiond(comes.appearing().vanishing(), -20, 20), below, kRests).time_of_contact,
+            0.5);
+  EXPECT_FALSE(along(kSquare, TrajectoryMotiond(comes.appearing().vanishing(), 17, 40), below, kRests).is_collide);
 }
 
 /// The first contact is that of the two along the time at which both are there, on which they never rest.
@@ -221,7 +225,8 @@ TEST(TrajectoryMotion, FindsTheFirstContactOfBodiesThatComeAndGo) {
     const Shape<double> a = shapeOf(randomPolygon(random, 1)), b = shapeOf(randomPolygon(random, 1));
     const tricover::Trajectory way_a = randomTrajectory(random, 3), way_b = randomTrajectory(random, 3);
     const double begin = random.real(-6, 6), end = begin + random.real(0.5, 10);
-    const TrajectoryMotiond motion_a(way_a, begin, end, 0, true), motion_b(way_b, begin, end, 0, true);
+    const TrajectoryMotiond motion_a(way_a.appearing().vanishing(), begin, end),
+        motion_b(way_b.appearing().vanishing(), begin, end);
     const auto result = along(a, motion_a, b, motion_b);
     const double from = std::max({begin, way_a.begin(), way_b.begin()}),
                  until = std::min({end, way_a.end(), way_b.end()});

@@ -5,8 +5,8 @@
 #include "ray_laws.h"
 #include "reproduction.h"
 #include "tricover/locate.h"
-#include "tricover/ray.h"
 #include "tricover/polygon.h"
+#include "tricover/ray.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tricover;

@@ -20,8 +20,8 @@
 #include "tricover/conflicts.h"
 #include "tricover/distance.h"
 #include "tricover/least_distance.h"
-#include "tricover/ray.h"
 #include "tricover/polygon.h"
+#include "tricover/ray.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include "byte_reader.h"
 #include "exact_reference.h"
 #include "reproduction.h"
+#include "tricover/polygon.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
-#include "tricover/polygon.h"
 
 namespace {
 
@@ -20,7 +20,8 @@ using namespace tricover;
 class Player {
  public:
   Player(const std::uint8_t* data, std::size_t size)
-      : bytes_(data, size), polygons_{bytes_.polygon(), bytes_.polygon(), Polygon::segment(bytes_.point(), bytes_.point())} {}
+      : bytes_(data, size),
+        polygons_{bytes_.polygon(), bytes_.polygon(), Polygon::segment(bytes_.point(), bytes_.point())} {}
 
   void play() {
     for (int command = 0; command < 24; ++command) {

@@ -101,7 +101,8 @@ Case plugs(Random& random) {
 Case withComplement(Random& random, const Case& made) {
   Case c = made;
   if (random.coin())
-    c.pose_b.translation() += 0.5 * random.integer(0, 2) * (c.pose_a * c.a.coveringOrigin() - c.pose_b * c.b.coveringOrigin());
+    c.pose_b.translation() +=
+        0.5 * random.integer(0, 2) * (c.pose_a * c.a.coveringOrigin() - c.pose_b * c.b.coveringOrigin());
   if (!c.pose_b.translation().allFinite()) c.pose_b = made.pose_b;
   if (random.coin()) c.b = c.b.scaled(0x1p-3);
   const bool of_a = random.oneIn(4);

@@ -92,8 +92,8 @@ Flight crossingOrThin(Random& random) {
   const Ring ring = star(random, 7, -1, 2);
   const Polygon crossing({ring, rectangle(-1, -1, 1, 1)}, random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
   const Vec2 p = anyVec(random, 1);
-  return {crossing, whole(anySpline(random, 1, 2)), random.coin() ? Polygon::point(p) : Polygon::segment(p, anyVec(random, 1)),
-          whole(anySpline(random, 3, 3))};
+  return {crossing, whole(anySpline(random, 1, 2)),
+          random.coin() ? Polygon::point(p) : Polygon::segment(p, anyVec(random, 1)), whole(anySpline(random, 3, 3))};
 }
 
 Flight withMargins(Random& random) {
@@ -126,10 +126,10 @@ Flight floors(Random& random) {
     if (random.oneIn(3)) y += random.real(-0.5, 0.5);
   }
   const double allowed = std::pow(10, random.real(-6, -1)), from = random.real(-6, 6);
-  const Motion slides =
-      random.coin()
-          ? Motion::translation(tricover::poseAt(from, 0.5 + random.real(-0.9, 0.5) * allowed), {random.real(-20, 20), 0})
-          : Motion::spline({{from, 0.5}, 0, {9, 0}, 0}, {{random.real(-6, 6), 0.5}, 0, {9, 0}, 0});
+  const Motion slides = random.coin()
+                            ? Motion::translation(tricover::poseAt(from, 0.5 + random.real(-0.9, 0.5) * allowed),
+                                                  {random.real(-20, 20), 0})
+                            : Motion::spline({{from, 0.5}, 0, {9, 0}, 0}, {{random.real(-6, 6), 0.5}, 0, {9, 0}, 0});
   return {Polygon(floor), still(), Polygon::box(1, 1), whole(slides), -allowed};
 }
 
@@ -187,7 +187,8 @@ Flight segments(Random& random) {
   motion.shift = anyVec(random, 4);
   motion.angle = random.real(-2, 2);
   const Polygon thin = Polygon::segment(anyVec(random, 2), anyVec(random, 2));
-  return {random.coin() ? anyStar(random, 1) : Polygon::box(4, 2), still(), thin, whole(motion), -random.real(0.001, 0.5)};
+  return {random.coin() ? anyStar(random, 1) : Polygon::box(4, 2), still(), thin, whole(motion),
+          -random.real(0.001, 0.5)};
 }
 
 struct Kind {

@@ -18,8 +18,8 @@
 #include "reproduction.h"
 #include "shapes.h"
 #include "tricover/covers.h"
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 
 namespace tricover::laws {
 namespace {

@@ -145,7 +145,8 @@ TEST(ExactDepth, OfClosedForms) {
   EXPECT_TRUE(isAbout(exact::depth(Polygon::box(2, 2), here, Polygon::box(2, 2), poseAt(2, 0)), 0));
   EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2), here, Polygon::segment({0, 0.5}, {3, -1.5}), here), 1));
   EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2), here, Polygon::point({0, 0.5}), here), 0.5));
-  EXPECT_TRUE(isAbout(exact::depth(Polygon::box(4, 2).complement(), here, Polygon::box(1, 1), poseAt(2, 1)), std::sqrt(0.5)));
+  EXPECT_TRUE(
+      isAbout(exact::depth(Polygon::box(4, 2).complement(), here, Polygon::box(1, 1), poseAt(2, 1)), std::sqrt(0.5)));
   const Polygon hole({support::regular(64, 4), support::regular(64, 3)});
   const exact::Bracket tied = exact::excess(Polygon::box(1, 1), here, hole, here);
   EXPECT_NEAR(double(tied.low), 3 * std::cos(M_PI / 64), 1e-14);

@@ -62,7 +62,6 @@ std::string wrongOn(const Polygon& a, const Path& path_a, const Polygon& b, cons
   ImpactOptions same;
   same.margin = options.margin;
   same.time_error = 0;
-  same.absent_outside = options.absent_outside;
   const auto impact = timeOfImpact(a, path_a, b, path_b, same);
   // Poses are rounded, motions aren't.
   same.margin += rounding;
@@ -102,7 +101,7 @@ std::string wrongLeastDistance(const Polygon& a, const Motion& motion_a, const P
 std::string wrongLeastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                const Trajectory& trajectory_b, const LeastDistanceOptions& options,
                                const LeastDistance& found, int samples) {
-  const bool together = options.absent_outside;
+  const bool together = trajectory_a.vanishes();
   const auto begins = std::minmax({trajectory_a.begin(), trajectory_b.begin()}),
              ends = std::minmax({trajectory_a.end(), trajectory_b.end()});
   const auto [far_a, length_a] = sizesOf(a, trajectory_a);
@@ -185,20 +184,22 @@ std::string wrongMotions(Random& random, Tally& tally) {
 /// Bodies that may come later, leave sooner, or never be there together.
 std::string wrongPlans(Random& random, Tally& tally) {
   const auto polygon = [&] {
-    return random.oneIn(8) ? Polygon::segment({-1, 0}, {1, 0.5}) : Polygon({star(random, random.integer(3, 20), 0.1, 0.4)});
+    return random.oneIn(8) ? Polygon::segment({-1, 0}, {1, 0.5})
+                           : Polygon({star(random, random.integer(3, 20), 0.1, 0.4)});
   };
   const Polygon a = polygon(), b = polygon();
-  const Trajectory of_a = anyPlan(random), of_b = anyPlan(random);
+  Trajectory of_a = anyPlan(random), of_b = anyPlan(random);
   LeastDistanceOptions options = anyOptions(random);
   if (options.margin > 0) options.margin = 0.1;
-  options.absent_outside = std::max(of_a.begin(), of_b.begin()) <= std::min(of_a.end(), of_b.end()) && random.oneIn(3);
+  const bool absent = std::max(of_a.begin(), of_b.begin()) <= std::min(of_a.end(), of_b.end()) && random.oneIn(3);
+  if (absent) of_a = of_a.appearing().vanishing(), of_b = of_b.appearing().vanishing();
   const LeastDistance found = leastDistance(a, of_a, b, of_b, options);
   count(tally, found);
-  tally.count("absent", options.absent_outside);
+  tally.count("absent", absent);
   const std::string wrong = wrongLeastDistance(a, of_a, b, of_b, options, found, 500);
   return wrong.empty() ? wrong
-                       : wrong + told(found, options) + "absent outside " + std::to_string(options.absent_outside) +
-                             "\n" + reproduction({a, of_a.at(of_a.begin()), b, of_b.at(of_b.begin())});
+                       : wrong + told(found, options) + "absent outside " + std::to_string(absent) + "\n" +
+                             reproduction({a, of_a.at(of_a.begin()), b, of_b.at(of_b.begin())});
 }
 
 std::string wrongOfAny(Random& random, Tally& tally) {

@@ -124,7 +124,7 @@ std::string wrongInTheWorld(Random& random, Tally& tally) {
   bool on_edge = false;
   for (EdgeIndex edge = 0; edge < polygon.edgeCount() && !on_edge; ++edge)
     on_edge = exact::collide(Polygon::segment(polygon.edgeStart(edge), polygon.edgeEnd(edge)), pose, there, world);
-  const Location truth = on_edge                                         ? Location::Boundary
+  const Location truth = on_edge                                                  ? Location::Boundary
                          : Reference(Case{polygon, pose, there, world}).collide() ? Location::Inside
                                                                                   : Location::Outside;
   tally.count("outside", truth == Location::Outside);

@@ -53,7 +53,8 @@ Vec2 placeNear(Random& random, const Polygon& polygon) {
 Case withDegenerate(Random& random, const Case& c) {
   const auto degenerateNear = [&](const Polygon& polygon) {
     const Vec2 p = placeNear(random, polygon);
-    return random.coin() ? Polygon::point(p) : Polygon::segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
+    return random.coin() ? Polygon::point(p)
+                         : Polygon::segment(p, random.coin() ? placeNear(random, polygon) : nudged(random, p, 3));
   };
   const Polygon degenerate = degenerateNear(c.a);
   const Pose& pose = random.coin() ? c.pose_a : c.pose_b;

@@ -259,8 +259,8 @@ std::string wrongDisc(Random&, Tally& tally, Case& c) {
     if (!polygon.bounds().contains(s)) return "the disc's centre";
     const Ring& ring = polygon.rings().back();
     const Polygon by_ring({ring}, polygon.fillRule()), raw(ring.data(), ring.size(), polygon.fillRule());
-    if (raw.rings() != by_ring.rings() || raw.fillRule() != polygon.fillRule() || raw.coveringOrigin() != by_ring.coveringOrigin() ||
-        raw.radius() != by_ring.radius())
+    if (raw.rings() != by_ring.rings() || raw.fillRule() != polygon.fillRule() ||
+        raw.coveringOrigin() != by_ring.coveringOrigin() || raw.radius() != by_ring.radius())
       return "a ring's raw vertices";
     tally.count("finite", std::isfinite(polygon.radius()));
     if (!std::isfinite(polygon.radius())) continue;

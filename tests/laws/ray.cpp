@@ -48,7 +48,8 @@ std::string wrongOf(const Polygon& polygon, const Pose& pose, const Ray& ray, Ta
   if (wrong.empty()) return wrong;
   return wrong + ", hit " + std::to_string(hit ? hit->edge : -2) + " at " + hex(hit ? hit->fraction : -1) + ", truth " +
          std::to_string(truth ? truth->edge : -2) + " at " + hex(truth ? truth->fraction.get_d() : -1) +
-         ", the ray is b's edge 0\n" + reproduction({polygon, pose, Polygon::segment(ray.from, ray.to), Pose::Identity()});
+         ", the ray is b's edge 0\n" +
+         reproduction({polygon, pose, Polygon::segment(ray.from, ray.to), Pose::Identity()});
 }
 
 std::string wrong(Random& random, Tally& tally, Case& c) {
@@ -65,7 +66,9 @@ std::string wrongAtThin(Random& random, Tally& tally) {
   const auto grid = [&] { return Vec2(random.integer(-3, 3), random.integer(-3, 3)); };
   const Vec2 p = grid(), q = grid();
   const int kind = random.integer(0, 2);
-  const Polygon polygon = kind == 0 ? Polygon::point(p) : kind == 1 ? Polygon::segment(p, q) : Polygon({{p, q, p, grid()}, {p, p, q}});
+  const Polygon polygon = kind == 0   ? Polygon::point(p)
+                          : kind == 1 ? Polygon::segment(p, q)
+                                      : Polygon({{p, q, p, grid()}, {p, p, q}});
   Pose placed =
       random.coin() ? Pose::Identity() : turnedAndMoved(random.integer(0, 3) * M_PI / 2, random.integer(-2, 2), 1);
   if (random.oneIn(3)) placed = mirrored(distorted(random, placed));

@@ -33,7 +33,8 @@ std::string wrongWithoutArea(Random&, Tally&) {
   const Polygon square({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}});
   // In a corner, where no discs inside meet; it touches by its spike alone, where its ring begins.
   const Polygon aerial({{{0.5, 9}, {0.5, 8.75}, {0.25, 8.75}, {0.25, 8.25}, {0.75, 8.25}, {0.75, 8.75}, {0.5, 8.75}}});
-  const bool right = collide(square, here, aerial, here, open) && collide(square, here, Polygon::point({4, 4}), here, open) &&
+  const bool right = collide(square, here, aerial, here, open) &&
+                     collide(square, here, Polygon::point({4, 4}), here, open) &&
                      collide(square, here, Polygon::segment({-1, 4}, {4, 4}), here, open) &&
                      !collide(square, here, Polygon::segment({-1, 9}, {4, 9}), here, open) &&
                      collide(square, here, Polygon::point({4, 4}), here, CollideOptions{0.5, 0, Touching::Allowed});

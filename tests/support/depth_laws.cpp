@@ -174,7 +174,8 @@ std::string wrongBesideOthers(Random& random, const Case& c, const Excess& found
   if (std::isinf(found.distance)) return "";
   const double error = 2 * depthPrecision(c);
   const EdgeIndex edge = anyEdge(random, c.a);
-  const double of_edge = excess(Polygon::segment(c.a.edgeStart(edge), c.a.edgeEnd(edge)), c.pose_a, c.b, c.pose_b).distance;
+  const double of_edge =
+      excess(Polygon::segment(c.a.edgeStart(edge), c.a.edgeEnd(edge)), c.pose_a, c.b, c.pose_b).distance;
   if (!(of_edge <= found.distance + error)) return valued("less than an edge's", found.distance, of_edge);
   // a, b, and a elsewhere.
   Case moved = c;

@@ -152,7 +152,8 @@ std::string wrongSignedDistance(const Case& c, double margin) {
       if (way.allFinite() && (w - v).stableNorm() > error &&
           !(std::abs(way.x() * off.y() - way.y() * off.x()) <= error))
         return "signed: the touch isn't where the edge leads";
-      if (!(exact::distanceSquared(*polygon, *pose, Polygon::point(s.point_a), Pose::Identity()) <= mpq_class(error) * error))
+      if (!(exact::distanceSquared(*polygon, *pose, Polygon::point(s.point_a), Pose::Identity()) <=
+            mpq_class(error) * error))
         return "signed: the touch isn't at the polygon";
     }
     return "";

@@ -46,20 +46,22 @@ constexpr double kGap = 9;
 constexpr std::size_t kCircularPositions = 90000;
 constexpr std::size_t kLinearPositions = 9000;
 
-/// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's coveringOrigin()
-/// and turns with the orbit, like a body fixed to an arm, with the side towards the pivot (of 360) that brings it
-/// nearest. The smallest gap of the whole turn, which is also the first one, is `gap`: fixed's farthest vertex sweeps a
-/// circle that the arm keeps that far away. Bounding discs meet all the way unless the polygons are round.
+/// Poses of `moving` while `fixed` stays at the identity. The moving polygon is carried around the fixed one's
+/// coveringOrigin() and turns with the orbit, like a body fixed to an arm, with the side towards the pivot (of 360)
+/// that brings it nearest. The smallest gap of the whole turn, which is also the first one, is `gap`: fixed's farthest
+/// vertex sweeps a circle that the arm keeps that far away. Bounding discs meet all the way unless the polygons are
+/// round.
 std::vector<Pose> circularTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
                                      std::size_t positions = kCircularPositions);
 
-/// Poses of `moving` on a straight line towards the fixed one's coveringOrigin(): from a distance of `gap` to first contact in
-/// the first nine tenths, then on at the same speed.
+/// Poses of `moving` on a straight line towards the fixed one's coveringOrigin(): from a distance of `gap` to first
+/// contact in the first nine tenths, then on at the same speed.
 std::vector<Pose> linearTrajectory(const Polygon& fixed, const Polygon& moving, double gap = kGap,
                                    std::size_t positions = kLinearPositions);
 
 /// A pose of each random workload below is independent of the one before: no coherence. `fixed` stays at the identity,
-/// the direction from its coveringOrigin() to that of `moving` and the turn of `moving` are any. Equal seeds give equal poses.
+/// the direction from its coveringOrigin() to that of `moving` and the turn of `moving` are any. Equal seeds give equal
+/// poses.
 constexpr std::size_t kRandomPositions = 1000;
 
 /// The moving polygon comes along the direction from outside and stops at 0.98 .. 1.02 times the distance between the

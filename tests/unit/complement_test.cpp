@@ -88,7 +88,8 @@ TEST(Complement, TellsWhetherABodyIsInside) {
     EXPECT_TRUE(collide(outside, kHere, car, at(far, 2)));
     EXPECT_TRUE(collide(outside, kHere, Polygon::segment({-far, 2}, {-2 * far / 2, 3}), kHere));
     EXPECT_EQ(distance(outside, kHere, car, at(-far, 2)).distance, 0);
-    EXPECT_TRUE(collide(outside, kHere, Polygon::box(1, 1).complement(), at(far, 0), kOpen)) << "two of them always meet";
+    EXPECT_TRUE(collide(outside, kHere, Polygon::box(1, 1).complement(), at(far, 0), kOpen))
+        << "two of them always meet";
   }
 }
 

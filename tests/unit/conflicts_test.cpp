@@ -14,8 +14,8 @@
 #include "shapes.h"
 #include "test_scale.h"
 #include "tricover/collide.h"
-#include "tricover/prepare.h"
 #include "tricover/polygon.h"
+#include "tricover/prepare.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::support {
@@ -69,6 +69,20 @@ TEST(Conflicts, OfAnySize) {
     expectSpans(found, {{truth[0].impact.time, truth[0].end}, {truth[1].impact.time, 1}}, 2 * kError);
     EXPECT_EQ(timeOfImpact(walls, kStill, square, bends, leaves)->time, found[0].impact.time);
   }
+}
+
+TEST(Conflicts, SayWhetherTheBodiesStillMeet) {
+  for (const Conflict& passed : conflicts(kWalls, kStill, kSquare, kThrough, {0, kError}))
+    EXPECT_FALSE(passed.meets_at_end);
+  const std::vector<Conflict> stuck =
+      conflicts(kWalls, kStill, kSquare, Motion::translation(turnedAndMoved(0, -10, 0), {10.5, 0}), {0, kError});
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_TRUE(stuck[0].meets_at_end && stuck[0].end == 1);
+  // It leaves within the time error before the end.
+  const std::vector<Conflict> left =
+      conflicts(kWalls, kStill, kSquare, Motion::translation(turnedAndMoved(0, -10, 0), {12 + 1e-5, 0}), {0, kError});
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_FALSE(left[0].meets_at_end);
 }
 
 TEST(Conflicts, EndAtTheEnd) {

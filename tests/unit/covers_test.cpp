@@ -11,8 +11,8 @@
 
 #include "shapes.h"
 #include "tricover/collide.h"
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 
 namespace tricover::support {
 namespace {
@@ -103,10 +103,10 @@ TEST(Covers, RefusesWhatItCannotTell) {
 
 /// Two convex areas around the hole of what has no end.
 TEST(Covers, WhatHasNoEndByNothingThatHas) {
-  const Polygon outside = box(1, 1).complement();
+  const Polygon outside = Polygon::box(1, 1).complement();
   const Polygon left({rectangle(-9, -9, 8, 9)}), right({rectangle(-8, -9, 9, 9)});
   EXPECT_FALSE(together({left, right}, outside));
-  EXPECT_TRUE(together({left, box(0.5, 0.5).complement()}, outside));
+  EXPECT_TRUE(together({left, Polygon::box(0.5, 0.5).complement()}, outside));
 }
 
 /// A border ends where edges cross: its distance is compared exactly, whatever the size.
@@ -121,7 +121,8 @@ TEST(Covers, BordersThatEndAtCrossings) {
     EXPECT_FALSE(together({Polygon({bar(3, 12)}), Polygon({bar(12, 4)})}, Polygon::point({0, 0}), above)) << size;
     // Beside a piece; and a piece's end beside an edge's end, and beside the edge.
     const double four = 4 * size, root = std::sqrt(20.0) * size;
-    const Polygon flat({{{-size, 0}, {size, 0}, {0, size / 8}}}), beam = Polygon::segment({-7 * size, 0}, {7 * size, 0});
+    const Polygon flat({{{-size, 0}, {size, 0}, {0, size / 8}}}),
+        beam = Polygon::segment({-7 * size, 0}, {7 * size, 0});
     EXPECT_TRUE(covers(cross, Polygon::point({7 * size, 0}), four)) << size;
     EXPECT_FALSE(covers(cross, Polygon::point({7 * size, 0}), std::nextafter(four, five))) << size;
     EXPECT_TRUE(covers(cross, flat, root * (1 - 1e-15))) << size;

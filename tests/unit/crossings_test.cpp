@@ -29,12 +29,18 @@ TEST(Crossings, NameEdgesAndPoints) {
        Polygon({rectangle(0, 0, 9, 9), rectangle(3, 3, 6, 6)}),
        Polygon({rectangle(2, 4, 4, 5)}),
        {{7, 0, {3, 4}}, {7, 2, {3, 5}}}},
-      {"a vertex on an edge", Polygon::box(4, 4), Polygon({{{2, 0}, {4, -1}, {4, 1}}}), {{1, 0, {2, 0}}, {1, 2, {2, 0}}}},
+      {"a vertex on an edge",
+       Polygon::box(4, 4),
+       Polygon({{{2, 0}, {4, -1}, {4, 1}}}),
+       {{1, 0, {2, 0}}, {1, 2, {2, 0}}}},
       {"collinear edges",
        Polygon::box(4, 4),
        Polygon({rectangle(2, -1, 4, 7)}),
        {{1, 0, {2, -1}}, {1, 3, {2, 0.5}}, {2, 3, {2, 2}}}},
-      {"a repeated vertex", Polygon::box(4, 4), Polygon({{{2, 0}, {2, 0}, {4, -1}, {4, 1}}}), {{1, 1, {2, 0}}, {1, 3, {2, 0}}}}};
+      {"a repeated vertex",
+       Polygon::box(4, 4),
+       Polygon({{{2, 0}, {2, 0}, {4, -1}, {4, 1}}}),
+       {{1, 1, {2, 0}}, {1, 3, {2, 0}}}}};
   for (const auto& [name, a, b, expected] : table) {
     SCOPED_TRACE(name);
     std::vector<Crossing> found = crossings(a, kHere, b, kHere);

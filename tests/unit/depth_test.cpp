@@ -72,7 +72,8 @@ TEST(Depth, OfWhatManyEdgesTieIn) {
   for (const int n : {3, 4, 5, 64, 1024, 4096}) {
     const Polygon peg({regular(n, 3)});
     EXPECT_NEAR(depthOf(peg, Polygon::box(1, 1), kHere), 3 * std::cos(M_PI / n), 1e-14) << n;
-    EXPECT_NEAR(excessOf(Polygon::box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n), 1e-14)
+    EXPECT_NEAR(excessOf(Polygon::box(1, 1), kHere, Polygon({regular(n, 4), regular(n, 3)})), 3 * std::cos(M_PI / n),
+                1e-14)
         << n;
   }
   Ring corridor;
@@ -141,7 +142,8 @@ TEST(HausdorffDistance, IsTheLargerExcess) {
   EXPECT_EQ(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(2, 2), kHere), 0);
   EXPECT_NEAR(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(6, 6), kHere), 2 * std::sqrt(2), 1e-14);
   EXPECT_EQ(hausdorffDistance(Polygon::box(2, 2), kHere, Polygon::box(2, 2).complement(), kHere), kInfinity);
-  EXPECT_NEAR(hausdorffDistance(Polygon::box(2, 2).complement(), kHere, Polygon::box(6, 4).complement(), kHere), 2, 1e-14);
+  EXPECT_NEAR(hausdorffDistance(Polygon::box(2, 2).complement(), kHere, Polygon::box(6, 4).complement(), kHere), 2,
+              1e-14);
 }
 
 /// One edge passes another one's end within rounding: where they cross is rounded once on either, and is one corner of

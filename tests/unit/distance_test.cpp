@@ -203,7 +203,8 @@ TEST(Distance, NamesEdgesWithLengthOfAClosedRing) {
   EXPECT_NE(nearest.edge_a, 6);
   EXPECT_NE(nearest.edge_b, 6);
   EXPECT_EQ(nearest.point_a, Vec2(0, 0));
-  const DistanceResult of_point = distance(Polygon::point({1, 2}), at(0, 0), Polygon({rectangle(3, 1, 4, 3)}), at(0, 0));
+  const DistanceResult of_point =
+      distance(Polygon::point({1, 2}), at(0, 0), Polygon({rectangle(3, 1, 4, 3)}), at(0, 0));
   EXPECT_EQ(of_point.distance, 2);
   EXPECT_GE(of_point.edge_a, 0);
   EXPECT_LT(of_point.edge_a, 3);
@@ -306,17 +307,16 @@ TEST(LeastDistance, TimesAreTheTrajectorys) {
   EXPECT_EQ(leastDistance(post, rests, robot, comes).distance, 2);
   // Both are there from 12 to 15, when the second is farther away.
   const Trajectory later({{12, 15, still(0, 0)}});
-  LeastDistanceOptions absent;
-  absent.absent_outside = true;
-  const LeastDistance there = leastDistance(post, later, robot, comes, absent);
+  const Trajectory appears = later.appearing().vanishing();
+  const LeastDistance there = leastDistance(post, appears, robot, comes);
   EXPECT_EQ(there.distance, distance(post, tricover::poseAt(0, 0), robot, comes.at(12)).distance);
   EXPECT_EQ(there.time, 12);
   const Trajectory never({{30, 40, still(0, 0)}});
-  EXPECT_NE(refusal([&] { leastDistance(post, never, robot, comes, absent); }).find("absent_outside"),
+  EXPECT_NE(refusal([&] { leastDistance(post, never.appearing(), robot, comes.vanishing()); }).find("never there"),
             std::string::npos);
   // They are there together for an instant.
   const Trajectory at_once({{20, 30, still(0, 0)}});
-  EXPECT_EQ(leastDistance(post, at_once, robot, comes, absent).distance, 7);
+  EXPECT_EQ(leastDistance(post, at_once.appearing(), robot, comes.vanishing()).distance, 7);
 }
 
 /// As timeOfImpact() and conflicts() say at the one instant at which both are there.
@@ -324,15 +324,14 @@ TEST(LeastDistance, AgreesAtAnInstant) {
   const Polygon body = Polygon::box(1, 1);
   for (const double apart : {0.0, 1.0, 1.5}) {
     const Trajectory first({{0, 10, slide(0, 0, {10, 0})}}), then({{10, 20, slide(10 + apart, 0, {5, 0})}});
-    LeastDistanceOptions absent;
-    absent.absent_outside = true;
-    const double least = leastDistance(body, first, body, then, absent).distance;
+    const Trajectory leaves = first.vanishing(), appears = then.appearing();
+    const double least = leastDistance(body, leaves, body, appears).distance;
     EXPECT_EQ(least, std::max(apart - 1, 0.0));
     for (const double time_error : {0.0, 1e-6})
       for (const bool ignores : {false, true}) {
-        const ImpactOptions options{0, time_error, ignores, true};
-        const auto impact = timeOfImpact(body, first, body, then, options);
-        const auto all = conflicts(body, first, body, then, options);
+        const ImpactOptions options{0, time_error, ignores};
+        const auto impact = timeOfImpact(body, leaves, body, appears, options);
+        const auto all = conflicts(body, leaves, body, appears, options);
         ASSERT_EQ(impact.has_value(), least == 0 && !ignores);
         ASSERT_EQ(all.size(), impact.has_value() ? 1u : 0u);
         if (!impact) continue;

@@ -16,8 +16,8 @@
 #include "tricover/collide.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
-#include "tricover/prepare.h"
 #include "tricover/polygon.h"
+#include "tricover/prepare.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {

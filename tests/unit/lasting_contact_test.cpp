@@ -12,8 +12,9 @@
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
-#include "tricover/scene.h"
+#include "tricover/least_distance.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/trajectory.h"
 
@@ -107,17 +108,22 @@ TEST(LastingContact, ThatIsHardlyDeep) {
       expectOne(conflicts(floor, still(0, 0), crate, slide(-5, 1 - sunk, {10, 0}), within(error)), 0, 1, 0);
       expectOne(conflicts(floor, still(0, 0), rod, slide(-5, 1.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
       // Held, beside its edge.
-      expectOne(conflicts(floor, still(0, 0), Polygon::point({0, 0}), slide(-5, 0.5 - sunk, {10, 0}), within(error)), 0, 1, 0);
-      expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 0.25), slide(-5, 0.375 - sunk, {10, 0}), within(error)), 0, 1, 0);
-      expectOne(conflicts(Polygon::box(4, 4), still(0, 0), crate, slide(-1, 2.5 + 1 - sunk, {2, 0}), within(error, false, 1)), 0,
+      expectOne(conflicts(floor, still(0, 0), Polygon::point({0, 0}), slide(-5, 0.5 - sunk, {10, 0}), within(error)), 0,
                 1, 0);
+      expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 0.25), slide(-5, 0.375 - sunk, {10, 0}), within(error)),
+                0, 1, 0);
+      expectOne(
+          conflicts(Polygon::box(4, 4), still(0, 0), crate, slide(-1, 2.5 + 1 - sunk, {2, 0}), within(error, false, 1)),
+          0, 1, 0);
     }
     Motion along = slide(-5, 0.5, {10, 0});
     along.shift_2 = Vec2(0, -0.75);
     expectOne(conflicts(floor, still(0, 0), Polygon::point({0, 0}), along, within(error)), 0, 1, 0);
     expectOne(conflicts(floor, still(0, 0), Polygon::box(1, 0.5), along, within(error)), 0, 1, 0);
     const Motion alike = slide(1e-15, 0, {-3.5, 0.5});
-    EXPECT_LE(conflicts(Polygon::point({0, 0}), slide(0, 0, {-3.5, 0.5}), Polygon::point({0, 0}), alike, within(error)).size(), 1u);
+    EXPECT_LE(conflicts(Polygon::point({0, 0}), slide(0, 0, {-3.5, 0.5}), Polygon::point({0, 0}), alike, within(error))
+                  .size(),
+              1u);
   }
 }
 
@@ -213,35 +219,60 @@ TEST(AbsentOutside, OfBodiesInAScene) {
   const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}),
       passes({{0, 20, slide(-10, 0, {20, 0})}});
   Scene scene;
-  const BodyHandle a = scene.add(Polygon::box(1, 1), still(0, 0).start), b = scene.add(Polygon::box(1, 1), still(0, 0).start);
-  ImpactOptions all;
-  all.absent_outside = true;
-  const std::vector<BodyTrajectory> in_turn = {{a, first}, {b, second}};
+  const BodyHandle a = scene.add(Polygon::box(1, 1), still(0, 0).start),
+                   b = scene.add(Polygon::box(1, 1), still(0, 0).start);
+  const std::vector<BodyTrajectory> in_turn = {{a, first}, {b, second}},
+                                    one_by_one = {{a, first.vanishing()}, {b, second.appearing()}};
   EXPECT_EQ(scene.impacts(in_turn).size(), 1u);
-  EXPECT_TRUE(scene.impacts(in_turn, all).empty());
-  EXPECT_TRUE(scene.conflicts(in_turn, all).empty());
+  EXPECT_TRUE(scene.impacts(one_by_one).empty());
+  EXPECT_TRUE(scene.conflicts(one_by_one).empty());
   // The first one leaves while the second passes; otherwise it rests.
   std::vector<BodyTrajectory> both = {{a, first}, {b, passes}};
   ASSERT_EQ(scene.conflicts(both).size(), 1u);
   EXPECT_NEAR(scene.conflicts(both)[0].conflict.end, 11, 1e-5);
-  both[0].absent_outside = true;
+  both[0].trajectory = first.vanishing();
   ASSERT_EQ(scene.conflicts(both).size(), 1u);
   EXPECT_EQ(scene.conflicts(both)[0].conflict.end, 10);
   EXPECT_EQ(scene.impacts(both).size(), 1u);
   // A body without a trajectory is always there.
-  EXPECT_EQ(scene.impacts({{b, passes}}, all).size(), 1u);
+  EXPECT_EQ(scene.impacts({{b, passes.appearing().vanishing()}}).size(), 1u);
 }
 
 TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {
   const Polygon robot = Polygon::box(1, 1);
   const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}), longer({{5, 15, still(0.5, 0)}});
   EXPECT_EQ(conflicts(robot, first, robot, second).size(), 1u);  // they rest
-  ImpactOptions absent;
-  absent.absent_outside = true;
-  EXPECT_TRUE(conflicts(robot, first, robot, second, absent).empty());
-  EXPECT_FALSE(timeOfImpact(robot, first, robot, second, absent));
-  expectOne(conflicts(robot, first, robot, longer, absent), 5, 10, 0);
-  EXPECT_EQ(timeOfImpact(robot, first, robot, longer, absent)->time, 5);
+  EXPECT_TRUE(conflicts(robot, first.vanishing(), robot, second).empty());
+  EXPECT_FALSE(timeOfImpact(robot, first.vanishing(), robot, second));
+  expectOne(conflicts(robot, first.vanishing(), robot, longer.appearing()), 5, 10, 0);
+  EXPECT_EQ(timeOfImpact(robot, first.vanishing(), robot, longer.appearing())->time, 5);
+  // It appears, and parks where it ends.
+  expectOne(conflicts(robot, first, robot, second.appearing()), 11, 20, 0);
+  EXPECT_TRUE(second.appearing().isThere(20.5) && !second.appearing().isThere(10.5) && second.isThere(10.5));
+}
+
+/// A trajectory made of a pose has no time of its own.
+TEST(AbsentOutside, ABodyThatAlwaysRestsIsThereAsLongAsTheOther) {
+  const Polygon robot = Polygon::box(1, 1);
+  const Pose there = still(0.5, 0).start;
+  const Trajectory first({{0, 10, still(0, 0)}}), rests = there;
+  expectOne(conflicts(robot, first, robot, there), 0, 10, 0);
+  expectOne(conflicts(robot, rests, robot, first.appearing().vanishing()), 0, 10, 0);
+  EXPECT_EQ(leastDistance(robot, Pose(still(3, 0).start), robot, first).distance, 2);
+  EXPECT_TRUE(rests.rests() && rests.at(-7).isApprox(there) && rests.part(3, 4).at(1).isApprox(there));
+  EXPECT_THROW(conflicts(robot, rests, robot, rests), std::invalid_argument);
+  EXPECT_THROW(leastDistance(robot, rests, robot, rests), std::invalid_argument);
+  // In a scene two of them rest by the clock of all.
+  Scene scene;
+  std::vector<BodyTrajectory> plans;
+  for (const Trajectory& way : {rests, rests, first}) plans.push_back({scene.add(robot, there), way});
+  ASSERT_EQ(scene.conflicts(plans).size(), 3u);
+  for (const PairConflict& found : scene.conflicts(plans)) {
+    EXPECT_EQ(found.conflict.impact.time, 0);
+    EXPECT_TRUE(found.conflict.end == 10 && found.conflict.meets_at_end);
+  }
+  plans.pop_back();
+  EXPECT_THROW(scene.impacts(plans), std::invalid_argument);
 }
 
 const Polygon kSquare = Polygon::box(2, 2), kNotched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});

@@ -13,8 +13,8 @@
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
 #include "tricover/depth.h"
-#include "tricover/scene.h"
 #include "tricover/polygon.h"
+#include "tricover/scene.h"
 #include "tricover/signed_distance.h"
 #include "tricover/time_of_impact.h"
 
@@ -119,15 +119,16 @@ TEST(NegativeMarginFaults, SegmentsThroughBodies) {
   EXPECT_FALSE(collides(Polygon::box(4, 2), Polygon::segment({0, 0.5}, {3, -1.5}), kHere, -1 - 1e-12));
   EXPECT_FALSE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, -1e-9));
   // Down into the plate, up to a quarter.
-  const auto impact =
-      timeOfImpact(Polygon::box(4, 2), still(0, 0), Polygon::segment({-1, 0}, {1, 0}), slide(0, 2, {0, -2}), allowing(0.25));
+  const auto impact = timeOfImpact(Polygon::box(4, 2), still(0, 0), Polygon::segment({-1, 0}, {1, 0}),
+                                   slide(0, 2, {0, -2}), allowing(0.25));
   ASSERT_TRUE(impact);
   EXPECT_NEAR(impact->time, 0.625, 1e-5);
   EXPECT_LE(impact->time, 0.625 + 1e-12);
   Random random(11);
   for (int i = 0; i < scaledCount(60); ++i) {
     const Polygon thick(random.coin() ? star(random, 7, 0.5, 1.5) : rectangle(-2, -1, 2, 1));
-    const Polygon thin = Polygon::segment({random.real(-2, 0), random.real(-2, 2)}, {random.real(0, 2), random.real(-2, 2)});
+    const Polygon thin =
+        Polygon::segment({random.real(-2, 0), random.real(-2, 2)}, {random.real(0, 2), random.real(-2, 2)});
     Motion motion = slide(random.real(-3, 3), random.real(-3, 3), {random.real(-6, 6), random.real(-6, 6)});
     if (random.coin()) motion.angle = random.real(-3, 3);
     SCOPED_TRACE(i);
@@ -197,8 +198,8 @@ TEST(NegativeMarginFaults, TwoComplementsAlwaysCollide) {
 /// A true answer stays true as the margin grows, through 0.
 TEST(NegativeMarginFaults, IsMonotoneThroughZero) {
   const std::vector<double> margins{-1e300, -0.51, -0.5, -0.25, -1e-300, -5e-324, 0, 5e-324, 1e-300, 0.25, 1e300};
-  const std::vector<Polygon> inner = {Polygon::point({0.5, 0}), Polygon::segment({-3, 0.5}, {3, 0.5}), Polygon::segment({0.5, 0}, {9, 9}),
-                                      Polygon::box(0.5, 0.5)};
+  const std::vector<Polygon> inner = {Polygon::point({0.5, 0}), Polygon::segment({-3, 0.5}, {3, 0.5}),
+                                      Polygon::segment({0.5, 0}, {9, 9}), Polygon::box(0.5, 0.5)};
   for (const Polygon& thin : inner) {
     bool before = false, open_before = false;
     for (const double margin : margins) {
@@ -214,7 +215,8 @@ TEST(NegativeMarginFaults, IsMonotoneThroughZero) {
   }
   EXPECT_FALSE(collides(Polygon::box(2, 2), Polygon::point({1, 0}), kHere, 0, Touching::Allowed));
   EXPECT_FALSE(collides(Polygon::box(2, 2), Polygon::segment({-1, 1}, {1, 1}), kHere, 0, Touching::Allowed));
-  EXPECT_FALSE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, 0, Touching::Allowed));
+  EXPECT_FALSE(
+      collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, 0, Touching::Allowed));
   EXPECT_TRUE(collides(Polygon::segment({-1, 0}, {1, 0}), Polygon::segment({0, -1}, {0, 1}), kHere, 0));
 }
 

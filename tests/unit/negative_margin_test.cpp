@@ -19,9 +19,9 @@
 #include "tricover/distance.h"
 #include "tricover/least_distance.h"
 #include "tricover/penetration.h"
+#include "tricover/polygon.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
-#include "tricover/polygon.h"
 #include "tricover/time_of_impact.h"
 
 namespace tricover::support {

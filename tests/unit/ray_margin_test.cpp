@@ -8,8 +8,8 @@
 
 #include "hierarchy/simd.h"
 #include "shapes.h"
-#include "tricover/ray.h"
 #include "tricover/polygon.h"
+#include "tricover/ray.h"
 
 namespace tricover::support {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "shapes.h"
-#include "tricover/prepare.h"
 #include "tricover/polygon.h"
+#include "tricover/prepare.h"
 
 namespace tricover::support {
 namespace {

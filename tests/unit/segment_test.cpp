@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points and segments as polygons, discs and stadiums by their margins; signed distances known by hand.
-#include "tricover/polygon.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,6 +15,7 @@
 #include "tricover/contacts.h"
 #include "tricover/distance.h"
 #include "tricover/locate.h"
+#include "tricover/polygon.h"
 #include "tricover/signed_distance.h"
 #include "tricover/time_of_impact.h"
 
@@ -110,7 +109,8 @@ TEST(Margin, OfAPointBesideAPolygon) {
   expectApart(f, Polygon::point({0, 0}), 3);  // in the hole
   EXPECT_EQ(gap(f, Polygon::point({1, 0}), 0.5).distance, 1.5);
   EXPECT_EQ(gap(f, Polygon::point({4, 0.5}), 1).distance, 0);
-  for (const Vec2& p : {Vec2(4, 0.5), Vec2(5, 2), Vec2(-5, -5)}) expectApart(f, Polygon::point(p), 0);  // inside, on the outline
+  for (const Vec2& p : {Vec2(4, 0.5), Vec2(5, 2), Vec2(-5, -5)})
+    expectApart(f, Polygon::point(p), 0);  // inside, on the outline
   EXPECT_FALSE(within(f, Polygon::point({nudged(5, 1), 2}), 0));
   expectApart(f, Polygon::segment({0, 0}, {4, 0}), 0);
   expectApart(f, Polygon::segment({-1, 0}, {1, 0}), 2);
@@ -199,7 +199,8 @@ void expectDistances(const std::vector<Row>& rows) {
 }
 
 TEST(SignedDistance, ByHand) {
-  const Polygon square = Polygon::box(4, 4), plate = Polygon::box(2, 4), dot = Polygon::point({0, 0}), rod = Polygon::segment({0, -1}, {0, 1});
+  const Polygon square = Polygon::box(4, 4), plate = Polygon::box(2, 4), dot = Polygon::point({0, 0}),
+                rod = Polygon::segment({0, -1}, {0, 1});
   expectDistances({
       {square, square, {5, 1}, 0, 1},
       {square, square, {7, 8}, 0, 5},

@@ -171,7 +171,8 @@ TEST(Svg, BoxesOfEachLevelHoldAllVertices) {
     std::vector<Polygon> boxes;
     for (const std::string& list : lists) boxes.emplace_back(std::vector<Ring>{points(list)});
     for (EdgeIndex edge = 0; edge < frame.edgeCount(); ++edge) {
-      const Vec2 vertex = pose_frame * frame.edgeStart(edge), inwards = (pose_frame * frame.coveringOrigin() - vertex) * 1e-6;
+      const Vec2 vertex = pose_frame * frame.edgeStart(edge),
+                 inwards = (pose_frame * frame.coveringOrigin() - vertex) * 1e-6;
       // Boxes are rounded outwards by less than a millionth of what they hold; a thin one is as thin as its rounding.
       EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(),
                               [&](const Polygon& box) {
@@ -274,8 +275,9 @@ TEST(Svg, AMarginWithoutAFillLeavesTheInsideClear) {
 
 TEST(Svg, ALonePointHasRoom) {
   for (const Vec2& at : {Vec2(0, 0), Vec2(3, -4), Vec2(-2e15, 1)})
-    for (const std::string& svg : {drawn([&](SvgDrawing& drawing) { drawing.text(at, "here"); }),
-                                   drawn([&](SvgDrawing& drawing) { drawing.polygon(Polygon::point(at), kHome, "#123"); })}) {
+    for (const std::string& svg :
+         {drawn([&](SvgDrawing& drawing) { drawing.text(at, "here"); }),
+          drawn([&](SvgDrawing& drawing) { drawing.polygon(Polygon::point(at), kHome, "#123"); })}) {
       EXPECT_EQ(pixels(svg), Vec2(800, 800));
       expectShows(svg, {nudged(at.x(), -1), nudged(at.y(), -1)}, {nudged(at.x(), 1), nudged(at.y(), 1)});
     }

@@ -106,7 +106,8 @@ class TRICOVER_EXPORT PolygonShape final : public fcl::ShapeBase<S> {
   const PolygonOptions& options() const { return options_; }     ///< as they were given
   /// Whether the shape lies in its own plane z = 0.
   bool isFlat() const { return is_flat_; }
-  /// Whether its polygon is tricover::point() at the local origin, so that with a margin the shape is a disc there.
+  /// Whether its polygon is tricover::Polygon::point() at the local origin, so that with a margin the shape is a disc
+  /// there.
   bool isDisc() const { return is_disc_; }
   /// Whether it is at all heights.
   bool isAtAllHeights() const { return options_.z_high == std::numeric_limits<double>::infinity(); }

@@ -25,9 +25,8 @@ struct TimedMotion {
 /// many knots needs no intervals by hand. It keeps its height and turns about z.
 ///
 /// FCL's time runs from 0 to 1, which is from `begin` to `end` by the caller's clock: the same for both bodies, whose
-/// legs need not begin or end together. Before its first leg and after the last one a body rests or, with
-/// `absent_outside`, is absent: it meets nothing then (tricover::BodyTrajectory::absent_outside). toc_err is by FCL's
-/// time, of which 1 is end - begin.
+/// legs need not begin or end together. Before its first leg and after the last one a body rests, unless its trajectory
+/// appears() or vanishes(): it meets nothing then. toc_err is by FCL's time, of which 1 is end - begin.
 ///
 /// FCL's own pairs know nothing of it: they refuse it unless CCDC_NAIVE is asked for, which samples its
 /// poses, and unless the body is there from time 0 to 1.
@@ -38,16 +37,16 @@ class TRICOVER_EXPORT TrajectoryMotion final : public fcl::MotionBase<S> {
  public:
   /// A trajectory in the plane at height z.
   /// \throws std::invalid_argument unless `begin` is before `end`, both finite, and z is finite
-  TrajectoryMotion(const tricover::Trajectory& trajectory, double begin, double end, double z = 0,
-                   bool absent_outside = false);
-  /// Motions one after the other, as legs of a Trajectory.
+  TrajectoryMotion(const tricover::Trajectory& trajectory, double begin, double end, double z = 0);
+  /// Motions one after the other, as legs of a Trajectory, which appears() or vanishes().
   /// \throws std::invalid_argument as above and as Trajectory does; and for another class of motion, one that leaves
   /// its plane, and one at another height, or the other way up, than the first. The text has the leg.
-  TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end, bool absent_outside = false);
+  TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end, bool appears = false,
+                   bool vanishes = false);
 
   /// By the clock, what FCL's time stands for.
   double clockAt(S time) const { return begin_ + static_cast<double>(time) * length_; }
-  /// By FCL's time, in the plane at height z(): from 0 to 1 or, with `absent_outside`, as long as the body is there.
+  /// By FCL's time, in the plane at height z(): from 0 to 1, or as long as the body is there.
   /// The trajectory of a body that is never there between begin and end is one leg after time 1.
   const tricover::Trajectory& trajectory() const { return trajectory_; }
   double z() const { return z_; }  ///< The height that it keeps.

@@ -33,7 +33,8 @@ Course carried(const Course& course, const tricover::Pose& pose) {
   if (course.known) {
     std::vector<tricover::Leg> legs = course.known->legs();
     for (tricover::Leg& leg : legs) leg.motion = startingAt(leg.motion, pose);
-    return {tricover::Trajectory(std::move(legs)), {}, {}, {}};
+    const tricover::Trajectory moved(std::move(legs));
+    return {course.known->appears() ? moved.appearing().vanishing() : moved, {}, {}, {}};
   }
   const auto speed_along = [course, pose](const Eigen::AlignedBox2d& part, const tricover::Vec2& direction,
                                           double time) {
@@ -163,7 +164,6 @@ S advanceGeometries(const fcl::CollisionGeometry<S>& o1, const fcl::MotionBase<S
     tricover::ImpactOptions options;
     options.time_error = static_cast<double>(request.toc_err);
     options.margin = regions.margin;
-    options.absent_outside = true;
     time = firstContact<S>(a, pair.a.course, b, pair.b.course, options);
     if (!time && pair.a.end && pair.b.end && tricover::collide(a, *pair.a.end, b, *pair.b.end, {options.margin}))
       time = 1;

@@ -35,8 +35,7 @@ Course ownCourse(const fcl::MotionBase<S>& motion, const Eigen::AlignedBox2d& bo
                  const Plane& body, const char* name);
 
 /// The time of the first contact, as tricover::timeOfImpact means it, by that function where both courses are known,
-/// with options that say `absent_outside`.
-/// Otherwise by conservative advancement: while the two are d apart and neither point is faster than v against the
+/// otherwise by conservative advancement: while the two are d apart and neither point is faster than v against the
 /// other, there is no contact within d / v; nor while an edge's line, or the nearest points', separates them, which
 /// each part of both comes to by its own speed along the normal. Where a negative margin allows an overlap, what its
 /// depth leaves of that takes the place of the distance. (Poses are taken to stay as rigid as they are.) Coming

@@ -238,7 +238,7 @@ tricover::Trajectory legsInPlane(const TrajectoryMotion<S>& motion, const Plane&
     if (to_plane.linear().determinant() > 0) continue;
     for (double* angle : {&way.angle, &way.angle_2, &way.angle_3}) *angle = -*angle;
   }
-  return tricover::Trajectory(std::move(legs));
+  return tricover::Trajectory(std::move(legs)).appearing().vanishing();
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ using tricover::Trajectory;
 
 /// What of it is from `begin` to `end`, which are its times 0 and 1. Without the rests before and after it if its body
 /// is absent then; a body that is never there until time 1 gets a leg after that.
-Trajectory fromZeroToOne(const Trajectory& trajectory, double begin, double end, bool absent_outside) {
+Trajectory fromZeroToOne(const Trajectory& trajectory, double begin, double end) {
   const double length = end - begin;
   if (!(length > 0 && std::isfinite(length))) refuse("end", "it must be after begin, both finite");
-  const double until = absent_outside ? std::min(end, trajectory.end()) : end;
-  double from = absent_outside ? std::max(begin, trajectory.begin()) : begin;
+  const double until = trajectory.vanishes() ? std::min(end, trajectory.end()) : end;
+  double from = trajectory.appears() ? std::max(begin, trajectory.begin()) : begin;
   std::vector<double> times = {until, trajectory.begin()};
   for (const Leg& leg : trajectory.legs()) times.push_back(leg.end);
   std::sort(times.begin(), times.end());
@@ -63,6 +63,11 @@ Trajectory trajectoryOf(const std::vector<TimedMotion<S>>& timed, double& z) {
   return Trajectory(std::move(legs));
 }
 
+Trajectory shown(const Trajectory& trajectory, bool appears, bool vanishes) {
+  const Trajectory from_begin = appears ? trajectory.appearing() : trajectory;
+  return vanishes ? from_begin.vanishing() : from_begin;
+}
+
 [[noreturn]] void refuseOwnPairs() {
   refuseQuestion("motion", "FCL's conservative advancement and its boxes of motions know no TrajectoryMotion",
                  "use fcl::continuousCollide with CCDC_NAIVE, which asks collide at several times");
@@ -81,19 +86,18 @@ void requireSampled(const fcl::MotionBase<S>& motion, const fcl::ContinuousColli
 }
 
 template <typename S>
-TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z,
-                                      bool absent_outside)
-    : begin_(begin), length_(end - begin), z_(z), trajectory_(fromZeroToOne(trajectory, begin, end, absent_outside)) {
+TrajectoryMotion<S>::TrajectoryMotion(const Trajectory& trajectory, double begin, double end, double z)
+    : begin_(begin), length_(end - begin), z_(z), trajectory_(fromZeroToOne(trajectory, begin, end)) {
   if (!std::isfinite(z)) refuse("z", "it is not finite");
 }
 
 template <typename S>
-TrajectoryMotion<S>::TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end,
-                                      bool absent_outside)
+TrajectoryMotion<S>::TrajectoryMotion(const std::vector<TimedMotion<S>>& legs, double begin, double end, bool appears,
+                                      bool vanishes)
     : begin_(begin),
       length_(end - begin),
       z_(0),
-      trajectory_(fromZeroToOne(trajectoryOf(legs, z_), begin, end, absent_outside)) {}
+      trajectory_(fromZeroToOne(shown(trajectoryOf(legs, z_), appears, vanishes), begin, end)) {}
 
 template <typename S>
 bool TrajectoryMotion<S>::integrate(S time) const {

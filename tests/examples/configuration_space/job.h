@@ -34,7 +34,8 @@ class Job {
     if (whole_cells) {
       // No point of the robot is farther than this from where it is at the cell's centre. Rounded up by far.
       const double x = cellWidth(), y = cellHeight(), turn = kTurn / (2 * static_cast<double>(size.headings));
-      options_.margin = (0.5 * std::hypot(x, y) + turn * (robot_.radius() + robot_.coveringOrigin().norm())) * (1 + 1e-12);
+      options_.margin =
+          (0.5 * std::hypot(x, y) + turn * (robot_.radius() + robot_.coveringOrigin().norm())) * (1 + 1e-12);
     }
     std::ostringstream header;
     header << "tricover configuration space 2\nmap " << std::hex << hashOf(map_) << std::dec << "\nheadings "

@@ -79,15 +79,21 @@ void defineTrajectory(py::module_& m) {
              return Trajectory(std::move(given));
            }),
            py::arg("legs"))
+      .def(py::init([](const Poses& pose) { return Trajectory(onePose(py::cast(pose), "pose")); }), py::arg("pose"))
+      .def("appearing", &Trajectory::appearing)
+      .def("vanishing", &Trajectory::vanishing)
+      .def_property_readonly("appears", &Trajectory::appears)
+      .def_property_readonly("vanishes", &Trajectory::vanishes)
+      .def_property_readonly("rests", &Trajectory::rests)
+      .def("is_there", &Trajectory::isThere, py::arg("time"))
       .def_static(
           "through",
           [](const Array& times, const Array& poses, const Array& pivot) {
             requireKnots(times, poses, "poses");
-            std::vector<tricover::TimedPose> timed;
+            std::vector<tricover::Waypoint> waypoints;
             for (py::ssize_t i = 0; i < times.shape(0); ++i)
-              timed.push_back({times.at(i), tricover::Pose(Eigen::Translation2d(poses.at(i, 0), poses.at(i, 1)) *
-                                                           Eigen::Rotation2Dd(poses.at(i, 2)))});
-            return Trajectory::through(timed, pointFrom(pivot, "pivot"));
+              waypoints.push_back({times.at(i), {poses.at(i, 0), poses.at(i, 1)}, poses.at(i, 2)});
+            return Trajectory::through(waypoints, pointFrom(pivot, "pivot"));
           },
           py::arg("times"), py::arg("poses"), py::arg("pivot") = kNoPivot)
       .def_static(
@@ -125,44 +131,44 @@ void defineImpacts(py::module_& m, const Records& records) {
   m.def(
       "time_of_impact",
       [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
-                double time_error, bool ignore_initial, bool absent_outside) {
+                double time_error, bool ignore_initial) {
         std::optional<tricover::Impact> found;
         {
           const py::gil_scoped_release released;
-          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error, ignore_initial, absent_outside});
+          found = timeOfImpact(a, motion_a, b, motion_b, {margin, time_error, ignore_initial});
         }
         return records.of(found);
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false, py::arg("absent_outside") = false);
+      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false);
   m.def(
       "conflicts",
       [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
-                double time_error, bool ignore_initial, bool absent_outside) {
+                double time_error, bool ignore_initial) {
         std::vector<tricover::Conflict> found;
         {
           const py::gil_scoped_release released;
-          found = conflicts(a, motion_a, b, motion_b, {margin, time_error, ignore_initial, absent_outside});
+          found = conflicts(a, motion_a, b, motion_b, {margin, time_error, ignore_initial});
         }
         py::list list;
         for (const tricover::Conflict& conflict : found) list.append(records.of(conflict));
         return list;
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false, py::arg("absent_outside") = false);
+      py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false);
   m.def(
       "least_distance",
       [records](const Polygon& a, const Way& motion_a, const Polygon& b, const Way& motion_b, double margin,
-                double error, bool absent_outside) {
+                double error) {
         tricover::LeastDistance found;
         {
           const py::gil_scoped_release released;
-          found = leastDistance(a, motion_a, b, motion_b, {margin, error, absent_outside});
+          found = leastDistance(a, motion_a, b, motion_b, {margin, error});
         }
         return records.of(found);
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("error") = 1e-6, py::arg("absent_outside") = false);
+      py::arg("error") = 1e-6);
 }
 
 }  // namespace

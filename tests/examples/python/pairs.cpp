@@ -98,7 +98,8 @@ void definePolygon(py::module_& m) {
   m.def(
       "point", [](const Array& p) { return tricover::Polygon::point(pointFrom(p, "p")); }, py::arg("p"));
   m.def(
-      "segment", [](const Array& p, const Array& q) { return tricover::Polygon::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
+      "segment",
+      [](const Array& p, const Array& q) { return tricover::Polygon::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
       py::arg("p"), py::arg("q"));
   m.def("box", &tricover::box, py::arg("width"), py::arg("height"));
 }

@@ -169,26 +169,24 @@ void defineImpacts(py::class_<Scene>& scene, const Records& records) {
       .def(
           "first_impact",
           [records](const Scene& self, const Polygon& polygon, const Way& motion, double margin, double time_error,
-                    Mask mask, std::optional<BodyHandle> ignored, bool ignore_initial,
-                    bool absent_outside) -> py::object {
-            const auto found = self.firstImpact(polygon, motion, {margin, time_error, ignore_initial, absent_outside},
-                                                filterFrom(mask, ignored));
+                    Mask mask, std::optional<BodyHandle> ignored, bool ignore_initial) -> py::object {
+            const auto found =
+                self.firstImpact(polygon, motion, {margin, time_error, ignore_initial}, filterFrom(mask, ignored));
             if (!found) return py::none();
             return py::make_tuple(Body{found->body}, records.of(found->impact));
           },
           py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6,
-          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("ignore_initial") = false,
-          py::arg("absent_outside") = false)
+          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("ignore_initial") = false)
       .def(
           "impacts",
           [records](const Scene& self, const std::vector<std::pair<BodyHandle, Way>>& motions, double margin,
-                    double time_error, bool ignore_initial, bool absent_outside, std::size_t threads) {
+                    double time_error, bool ignore_initial, std::size_t threads) {
             std::vector<Moving> given;
             for (const auto& [body, motion] : motions) given.push_back({body, motion});
             std::vector<tricover::PairImpact> found;
             {
               const py::gil_scoped_release released;
-              found = self.impacts(given, {margin, time_error, ignore_initial, absent_outside}, parallelOn(threads));
+              found = self.impacts(given, {margin, time_error, ignore_initial}, parallelOn(threads));
             }
             py::list list;
             for (const tricover::PairImpact& one : found)
@@ -196,20 +194,20 @@ void defineImpacts(py::class_<Scene>& scene, const Records& records) {
             return list;
           },
           py::arg("motions"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,
-          py::arg("absent_outside") = false, py::arg("threads") = 0);
+          py::arg("threads") = 0);
 }
 
 void defineConflicts(py::class_<Scene>& scene, const Records& records) {
   scene.def(
       "conflicts",
       [records](const Scene& self, const std::vector<std::pair<BodyHandle, tricover::Trajectory>>& trajectories,
-                double margin, double time_error, bool ignore_initial, bool absent_outside, std::size_t threads) {
+                double margin, double time_error, bool ignore_initial, std::size_t threads) {
         std::vector<tricover::BodyTrajectory> given;
         for (const auto& [body, trajectory] : trajectories) given.push_back({body, trajectory});
         std::vector<tricover::PairConflict> found;
         {
           const py::gil_scoped_release released;
-          found = self.conflicts(given, {margin, time_error, ignore_initial, absent_outside}, parallelOn(threads));
+          found = self.conflicts(given, {margin, time_error, ignore_initial}, parallelOn(threads));
         }
         py::list list;
         for (const tricover::PairConflict& one : found)
@@ -217,7 +215,7 @@ void defineConflicts(py::class_<Scene>& scene, const Records& records) {
         return list;
       },
       py::arg("trajectories"), py::arg("margin") = 0.0, py::arg("time_error") = 1e-6, py::arg("ignore_initial") = false,
-      py::arg("absent_outside") = false, py::arg("threads") = 0);
+      py::arg("threads") = 0);
 }
 
 }  // namespace

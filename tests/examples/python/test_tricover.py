@@ -261,21 +261,24 @@ class Pairs(unittest.TestCase):
         rest = tc.Trajectory([(0, 5, still)])
         way = tc.Trajectory([(4, 14, passes)])  # together until x is -4
         self.assertAlmostEqual(tc.least_distance(SQUARE, rest, SQUARE, way).distance, 2, 5)
-        self.assertAlmostEqual(tc.least_distance(SQUARE, rest, SQUARE, way, absent_outside=True).distance,
+        self.assertAlmostEqual(tc.least_distance(SQUARE, rest.vanishing(), SQUARE, way.appearing()).distance,
                                np.hypot(3, 2), 5)
+        self.assertAlmostEqual(tc.least_distance(SQUARE, tc.Trajectory(tc.pose(0, 0)), SQUARE, way).distance, 2, 5)
 
     def test_who_is_absent_meets_nobody(self):
         before = tc.Trajectory([(0, 10, tc.Motion.still(ORIGIN))])
         after = tc.Trajectory([(11, 20, tc.Motion.still(ORIGIN))])
         self.assertEqual(len(tc.conflicts(SQUARE, before, SQUARE, after)), 1)
-        self.assertEqual(tc.conflicts(SQUARE, before, SQUARE, after, absent_outside=True), [])
-        self.assertIsNone(tc.time_of_impact(SQUARE, before, SQUARE, after, absent_outside=True))
+        self.assertEqual(tc.conflicts(SQUARE, before.vanishing(), SQUARE, after), [])
+        self.assertEqual(tc.conflicts(SQUARE, before, SQUARE, after.appearing())[0].impact.time, 11)
+        self.assertFalse(after.appearing().is_there(10.5))
         scene = tc.Scene()
         bodies = [scene.add(SQUARE, ORIGIN) for _ in range(2)]
         ways = list(zip(bodies, [before, after]))
         self.assertEqual(len(scene.conflicts(ways)), 1)
-        self.assertEqual(scene.conflicts(ways, absent_outside=True), [])
-        self.assertEqual(scene.impacts(ways, absent_outside=True), [])
+        ways[0] = bodies[0], before.vanishing()
+        self.assertEqual(scene.conflicts(ways), [])
+        self.assertEqual(scene.impacts(ways), [])
 
     def test_contacts(self):
         beam = tc.Polygon([(-1, 4), (10, 4), (10, 5), (-1, 5)])

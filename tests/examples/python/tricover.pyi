@@ -8,7 +8,7 @@ for all processors, while other Python threads run; errors name the pose. Length
 ValueError, edges and bodies that aren't there IndexError. The C++ reference says more of each function.
 """
 from enum import IntEnum
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -125,11 +125,26 @@ class Motion:
         """From one time to another, which are its 0 and 1."""
 
 class Trajectory:
-    """Motions one after the other, each from its begin to its end by a clock; before and after them it rests."""
+    """Motions one after the other, each from its begin to its end by a clock; before and after them it rests, unless it
+    appears or vanishes. Of a pose: it always rests."""
+    @overload
     def __init__(self, legs: Sequence[Tuple[float, float, Motion]]) -> None: ...
+    @overload
+    def __init__(self, pose: Poses) -> None: ...
+    def appearing(self) -> Trajectory:
+        """The same of a body that is absent before it begins."""
+    def vanishing(self) -> Trajectory:
+        """The same of a body that is absent after it ends."""
+    @property
+    def appears(self) -> bool: ...
+    @property
+    def vanishes(self) -> bool: ...
+    @property
+    def rests(self) -> bool: ...
+    def is_there(self, time: float) -> bool: ...
     @staticmethod
     def through(times: ArrayLike, poses: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
-        """From pose to pose: times (n,), x, y and heading (n, 3). It waits where two are the same."""
+        """From pose to pose: times (n,), x, y and heading (n, 3), which it rotates by. It waits where two are the same."""
     @staticmethod
     def spline(times: ArrayLike, places: ArrayLike, velocities: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
         """The cubic Hermite spline from knot to knot: times (n,), places and their rates (n, 3)."""
@@ -244,16 +259,15 @@ def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margi
              most: Optional[int] = None, detail: ContactDetail = ContactDetail.GLOBAL_DEPTH,
              touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
 def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
-                   ignore_initial: bool = False, absent_outside: bool = False) -> Optional[Impact]:
+                   ignore_initial: bool = False) -> Optional[Impact]:
     """Of two motions, or of two trajectories, by whose clock times then are. `ignore_initial`: what meets at the start
-    counts only once it has parted. `absent_outside`: a body is there only during its trajectory."""
+    counts only once it has parted."""
 
 def conflicts(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
-              ignore_initial: bool = False, absent_outside: bool = False) -> List[Conflict]:
+              ignore_initial: bool = False) -> List[Conflict]:
     """All spans of time in which they meet, likewise."""
 
-def least_distance(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, error: float = 1e-6,
-                   absent_outside: bool = False) -> LeastDistance:
+def least_distance(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, error: float = 1e-6) -> LeastDistance:
     """Of two motions, or of two trajectories."""
 
 def cast_ray(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike,
@@ -302,14 +316,13 @@ class Scene:
                 ignored: Optional[int] = None) -> Optional[Tuple[Body, Distance]]: ...
     def first_impact(self, polygon: Polygon, motion: Union[Motion, Trajectory], margin: float = 0.0,
                      time_error: float = 1e-6, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
-                     ignore_initial: bool = False,
-                     absent_outside: bool = False) -> Optional[Tuple[Body, Impact]]: ...
+                     ignore_initial: bool = False) -> Optional[Tuple[Body, Impact]]: ...
     def impacts(self, motions: Sequence[Tuple[int, Way]], margin: float = 0.0, time_error: float = 1e-6,
-                ignore_initial: bool = False, absent_outside: bool = False,
+                ignore_initial: bool = False,
                 threads: int = 0) -> List[Tuple[Body, Body, Impact]]:
         """Of motions, or of trajectories."""
     def conflicts(self, trajectories: Sequence[Tuple[int, Trajectory]], margin: float = 0.0, time_error: float = 1e-6,
-                  ignore_initial: bool = False, absent_outside: bool = False,
+                  ignore_initial: bool = False,
                   threads: int = 0) -> List[Tuple[Body, Body, Conflict]]:
         """All spans of time in which any two meet."""
     def cast_ray(self, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,

@@ -30,7 +30,7 @@ MUTATIONS = [
     ("fcl_adapter/src/queries/planar_pair.cpp", "tiltOf(both.ofOther()) <= kNoTilt && ", "", "balls: poses that nobody checks"),
     ("fcl_adapter/src/queries/planar_pair.cpp", "of_polygon == both.polygon_first ?", "of_polygon ?", "mixed: poses named in another order than the query's"),
     ("fcl_adapter/src/shape/course.cpp", "course->known->begin() > 1", "course->known->begin() > 9", "absent: two that are never there meet later"),
-    ("fcl_adapter/src/queries/advance.cpp", "options.absent_outside = true;", "", "absent: rests outside of its time"),
+    ("fcl_adapter/src/shape/motion_in_plane.cpp", "Trajectory(std::move(legs)).appearing().vanishing()", "Trajectory(std::move(legs))", "absent: rests outside of its time"),
     ("fcl_adapter/src/queries/advance.cpp", "if (known.end() == 1)", "if (true)", "absent: meets at the end what is gone"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "      slot->cache = {};\n", "", "table: another pair's rest is inherited"),
     ("fcl_adapter/src/shape/pair_cache_table.cpp", "  Seen pairs, ids;", "  Seen pairs, &ids = pairs;", "table: a pair's two keys take each other's cell"),
