@@ -80,7 +80,7 @@ void addFclDepths(Methods<Values>& to, const KnownScene& scene, double none) {
 /// The deepest contact's depth.
 auto deepestContact(const KnownScene& scene, double none) {
   return [=, &scene](const Pose& pose) {
-    const auto all = contacts(scene.fixed, scene.fixed_pose, scene.moving, pose, {0, 1});
+    const auto all = contacts(scene.fixed, scene.fixed_pose, scene.moving, pose, {0, 1, ContactDetail::GlobalDepth});
     return all.empty() ? none : all.front().depth;
   };
 }

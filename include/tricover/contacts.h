@@ -66,7 +66,7 @@ struct ContactOptions {
   double margin = 0;
   /// How many contacts are returned, the deepest ones.
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  ContactDetail detail = ContactDetail::GlobalDepth;  ///< How much is computed of each one.
+  ContactDetail detail = ContactDetail::LocalDepth;  ///< How much is computed of each one.
   /// Allowed: parts of the overlap where the regions only touch, with no point of either in the interior of the other
   /// one, are left out, and with a margin regions that are exactly so far apart.
   Touching touching = Touching::Collides;
@@ -117,13 +117,13 @@ struct Contact {
 /// that margin and touching is false, or `most` is 0.
 ///
 /// A convex pair takes 0.3 us for 8 vertices each and 1 us for 64, twice that where they are deep in each other.
-/// Another pair with one component takes a penetration() more: 15 and 30 us where they overlap by little, 30 and 250 us
-/// where by a third of their size; for 1024 vertices up to 0.2 s. The time grows with the number of components and of
+/// With GlobalDepth another pair with one component takes a penetration() more: 15 and 30 us where they overlap by
+/// little, 30 and 250 us where by a third of their size; for 1024 vertices up to 0.2 s. The time grows with the number of components and of
 /// pairs of edges that meet.
 ///
 /// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, for
-/// a value that Touching or ContactDetail doesn't have, and for a Polygon::complement() with GlobalDepth, which is the
-/// default, even where the regions are apart
+/// a value that Touching or ContactDetail doesn't have, and for a Polygon::complement() with GlobalDepth, even
+/// where the regions are apart
 ///
 /// \snippet contacts.cpp contacts
 /// \snippet contacts.cpp contacts with margin

@@ -169,7 +169,7 @@ class TRICOVER_EXPORT Polygon {
   /// edges have their numbers, unless edges have the region on both sides or on none, as those that two rings share:
   /// such edges are left out, and rings are joined anew from the others. The fill rule is FillRule::EvenOdd. Exact.
   ///
-  /// Legal in all queries but penetration(), and contacts() with ContactDetail::GlobalDepth, which is the default
+  /// Legal in all queries but penetration(), and contacts() with ContactDetail::GlobalDepth
   /// there: these two refuse it, even where it is apart. Two complements always collide. A complement isn't convex. Its
   /// area(), bounds() and radius() are infinite, and its centroid() is the middle of its rings' box. Where a precision
   /// depends on a polygon's size or points, these are its rings'. It stays one when it is translated(), transformed(),

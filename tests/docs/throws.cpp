@@ -72,7 +72,8 @@ TEST(Throws, PairsOfOtherValues) {
          contacts(square, here, square, here, {0, 9, ContactDetail::Points, no_touching}));
   THROWS(penetration.h, penetration, std::invalid_argument, penetration(square, here, square, here, {0, no_touching}));
   for (const Pose& at : {apart, within}) {
-    THROWS(contacts.h, contacts, std::invalid_argument, contacts(outside, here, Polygon::box(1, 1), at));
+    THROWS(contacts.h, contacts, std::invalid_argument,
+           contacts(outside, here, Polygon::box(1, 1), at, {0, 9, ContactDetail::GlobalDepth}));
     THROWS(penetration.h, penetration, std::invalid_argument, penetration(Polygon::box(1, 1), here, outside, at));
   }
 }

@@ -110,7 +110,7 @@ std::string wrongConvex(Random& random, Tally& tally, Case& c) {
   const double scale = c.a.radius();
   const double margin = random.real(0, 1) * scale, apart = distance(c.a, c.pose_a, c.b, c.pose_b).distance;
   const auto bare = penetration(c.a, c.pose_a, c.b, c.pose_b), p = penetration(c.a, c.pose_a, c.b, c.pose_b, {margin});
-  const auto found = contacts(c.a, c.pose_a, c.b, c.pose_b, ContactOptions{margin});
+  const auto found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally(margin));
   tally.count("hits", p.has_value());
   if (p.has_value() != (bare || apart <= margin)) return "whether there is one";
   if (found.size() != (p ? 1u : 0u)) return "contacts";

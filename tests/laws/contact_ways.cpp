@@ -25,7 +25,7 @@ using namespace support;
 // contact knows the edges around its own: those named are then not always those that part last.
 std::string wrong(Random&, Tally& tally, Case& c) {
   if (!(rounding(c) < 1e290)) return {};  // where sums of coordinates overflow
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
   const bool is_convex = isStrictlyConvex(c.a) && isStrictlyConvex(c.b), is_alone = found.size() == 1;
   for (const Contact& contact : found) {
     const bool parted = !is_alone || parts(c, contact), last = edgesPartLast(c, contact);
@@ -89,7 +89,7 @@ std::string wrongFans(Random& random, Tally& tally) {
   if (random.oneIn(3)) both.linear().setIdentity();
   if (random.oneIn(3)) both = mirrored(both);
   const Case c{Polygon({below}), both, Polygon({above}), both};
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
   tally.count("on an edge", edge != 0);
   const std::string problem = [&]() -> std::string {
     if (found.size() != 1) return std::to_string(found.size()) + " contacts";
@@ -134,7 +134,7 @@ std::string wrongSliver(Random&, Tally&) {
   const Pose pose_b = pose(-0x1.a96c897495633p-1, 0x1.1ce21a17b05fcp-1, -0x1.1adda9a2d5655p+0, -0x1.1ce21a17b05fcp-1,
                            -0x1.a96c897495633p-1, -0x1.30d4097a83b53p-3);
   const Case c{a, pose_a, b, pose_b};
-  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
+  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b, globally());
 
   return found.size() == 1 ? wrongWayApart(c, found[0]) : "how many there are";
 }

@@ -59,14 +59,14 @@ std::string wrongDetail(Random& random, const Case& c, const std::vector<Contact
 }
 
 std::string wrongSwapped(const Case& c, const std::vector<Contact>& found) {
-  std::vector<Contact> swapped = contacts(c.b, c.pose_b, c.a, c.pose_a);
+  std::vector<Contact> swapped = contacts(c.b, c.pose_b, c.a, c.pose_a, globally());
   for (Contact& contact : swapped) contact.normal *= -1, std::swap(contact.edge_a, contact.edge_b);
   return same(found, swapped) ? "" : "swapped, they differ";
 }
 
 std::string wrong(Random& random, Tally& tally, Case& c) {
   const bool truth = Reference(c).collide();
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
   tally.count("hits", truth);
   if (truth) tally.count("several", found.size() > 1);
   if (found.empty() == truth) return "contacts, or none";
@@ -96,7 +96,7 @@ Case convexPair(Random& random) {
 
 /// The depth and normal of convex pairs part them, and nothing less does.
 std::string wrongConvex(Random& random, Tally& tally, Case& c) {
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
   tally.count("hits", !found.empty());
   if (found.empty()) return Reference(c).collide() ? "none" : "";
   tally.count("containments", found[0].edge_a < 0 || found[0].edge_b < 0);

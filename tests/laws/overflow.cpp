@@ -51,7 +51,7 @@ bool fits(const Polygon& polygon, const Pose& pose) {
 /// Of the points and lengths of all queries; empty if nothing is wrong.
 std::string wrongNumbers(const Case& c, bool finite) {
   const auto badPoint = [&](const Vec2& p) { return finite ? !p.allFinite() : p.hasNaN(); };
-  for (const Contact& contact : contacts(c.a, c.pose_a, c.b, c.pose_b))
+  for (const Contact& contact : contacts(c.a, c.pose_a, c.b, c.pose_b, globally()))
     if (badPoint(contact.point) || !contact.normal.allFinite() || std::isnan(contact.depth)) return "contacts";
   if (const auto p = penetration(c.a, c.pose_a, c.b, c.pose_b)) {
     if (badPoint(p->point_a) || badPoint(p->point_b) || !p->normal.allFinite()) return "penetration's points";

@@ -133,7 +133,7 @@ std::string wrongConvexContact(const Case& c, const Contact& contact) {
 std::string wrongContactsWithMargin(const Case& c, double margin) {
   if (!std::isfinite(margin)) return "";
   const Reference reference(c);
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, ContactOptions{margin});
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally(margin));
   const std::string with = " with the margin " + hex(margin);
   if (found.empty() == reference.within(margin)) return "contacts, or none," + with;
   const double error = rounding(c) + 1e-12 * margin;

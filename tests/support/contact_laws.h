@@ -21,6 +21,13 @@ Pose moved(const Pose& pose, const Vec2& way);
 std::string wrongContacts(Random& random, const Case& c, const std::vector<Contact>& found);
 
 /// What is wrong with the edges that they name, given whether edges meet; empty if nothing is.
+/// Options by which contacts() tells all that it can.
+inline ContactOptions globally(double margin = 0) {
+  ContactOptions options{margin};
+  options.detail = ContactDetail::GlobalDepth;
+  return options;
+}
+
 std::string wrongEdges(const Case& c, const std::vector<Contact>& found, bool crossed);
 
 /// What is wrong with the contacts with a margin: they are where the regions are within it; apart, there is one, as

@@ -112,7 +112,9 @@ TEST(Complement, IsRefusedWhereOneDepthIsWanted) {
   const Polygon outside = lane().complement(), car = Polygon::box(4, 2);
   expectRefused("a: a complement", [&] { penetration(outside, kHere, car, at(10, 2)); });
   expectRefused("b: a complement", [&] { penetration(car, at(10, 2), outside, kHere); });
-  expectRefused("ContactDetail::LocalDepth", [&] { contacts(outside, kHere, car, at(10, 2)); });
+  expectRefused("ContactDetail::LocalDepth", [&] {
+    contacts(outside, kHere, car, at(10, 2), {0, 9, ContactDetail::GlobalDepth});
+  });
   EXPECT_EQ(signedDistance(car, at(10, 3.25), outside, kHere).distance, -0.25);
 }
 

@@ -109,7 +109,7 @@ TEST(ContactCorners, AreAlikeInCornersThatAreHardlyTurned) {
 TEST(ContactCorners, BesideAnotherComponentAreTheSame) {
   const Polygon crate({rectangle(-1, -1, 1, 1), rectangle(15, 15, 16, 16)});
   const Polygon room({{{0, 0}, {9, 0}, {9, 1}, {1, 1}, {1, 9}, {0, 9}}, rectangle(17.5, 17, 19, 18)});
-  const std::vector<Contact> found = contacts(room, kHere, crate, turnedAndMoved(0, 1.99, 1.99));
+  const std::vector<Contact> found = contacts(room, kHere, crate, turnedAndMoved(0, 1.99, 1.99), globally());
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(std::min(found[0].depth, found[1].depth), std::sqrt(2) * 0.01, 1e-12);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "contact_laws.h"
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
@@ -38,8 +39,8 @@ inline bool haveEqualEdges(const Polygon& a, const Polygon& b) {
 
 /// Asks in both orders, and looks at what holds for all contacts.
 inline std::vector<Contact> ask(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b);
-  std::vector<Contact> swapped = contacts(b, pose_b, a, pose_a);
+  const std::vector<Contact> found = contacts(a, pose_a, b, pose_b, globally());
+  std::vector<Contact> swapped = contacts(b, pose_b, a, pose_a, globally());
   EXPECT_EQ(found.empty(), !collide(a, pose_a, b, pose_b));
   EXPECT_EQ(found.size(), swapped.size());
   const double size = 2 * a.radius() + 2 * b.radius();

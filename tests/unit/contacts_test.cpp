@@ -211,8 +211,8 @@ TEST(Contacts, OfIslandsOfTheLargerPolygonInsideOfTheOthers) {
   const Polygon a({rectangle(-1, -1, 1, 1), rectangle(99, -1, 101, 1), rectangle(300, 0, 301, 1)});
   const Polygon b({rectangle(-5, -6, 1.5, 7), rectangle(94, -1.25, 106, 9)});
   for (const bool swapped : {false, true}) {
-    const auto found = swapped ? contacts(b, turnedAndMoved(0, 0, 0), a, turnedAndMoved(0, 0, 0))
-                               : contacts(a, turnedAndMoved(0, 0, 0), b, turnedAndMoved(0, 0, 0));
+    const auto found = swapped ? contacts(b, turnedAndMoved(0, 0, 0), a, turnedAndMoved(0, 0, 0), globally())
+                               : contacts(a, turnedAndMoved(0, 0, 0), b, turnedAndMoved(0, 0, 0), globally());
     ASSERT_EQ(found.size(), 2u);
     const double sign = swapped ? -1 : 1;
     EXPECT_EQ(found[0].depth, 2.5);
@@ -251,7 +251,7 @@ TEST(Contacts, OfDenormalCoordinates) {
     const Polygon a = shape(), b = shape();
     const Pose there =
         turnedAndMoved(random.real(0, 6.28), size * random.real(-1.5, 1.5), size * random.real(-1.5, 1.5));
-    for (const Contact& contact : contacts(a, kHere, b, there)) {
+    for (const Contact& contact : contacts(a, kHere, b, there, globally())) {
       const Polygon at = Polygon::point(contact.point);
       const mpq_class off(0x1p-1042 * (1 + 1e-9));
       EXPECT_TRUE(exact::within(exact::distanceSquared(at, kHere, a, kHere), off)) << i;
@@ -318,14 +318,14 @@ TEST(Contacts, OfALineThatEndsBesideABorderAreOneWithWhatIsAroundIt) {
       -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.74bba634d4dap+0;
   pose_b.matrix().topRows<2>() << -0x1.fade3d9f2e0bcp-1, 0x1.213d3119e9866p-3, -0x1.326ddb947507bp+3,
       -0x1.213d3119e9866p-3, -0x1.fade3d9f2e0bcp-1, 0x1.e18c2c77771cbp+0;
-  EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
+  EXPECT_EQ(contacts(a, pose_a, b, pose_b, globally()).size(), 1u);
 }
 
 /// In a slot that leans: a touch, which no direction frees by a little, is left the way that is the shortest.
 TEST(Contacts, OfAPlugThatFitsLeadTheShortestWayOut) {
   const Polygon slot({{{0, 0}, {20, 0}, {20, 10}, {14, 10}, {7, 3}, {3, 3}, {10, 10}, {0, 10}}}),
       plug({{{3, 3}, {7, 3}, {10, 6}, {6, 6}}});
-  const std::vector<Contact> found = contacts(slot, kHere, plug, kHere);
+  const std::vector<Contact> found = contacts(slot, kHere, plug, kHere, globally());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].depth, 0);
   EXPECT_NEAR(penetration(slot, kHere, plug, kHere)->normal.dot(found[0].normal), 1, 1e-12);
@@ -372,7 +372,7 @@ TEST(Contacts, OfAPointBesideTheEndOfALineOnABorderAreOneWithWhatIsAroundIt) {
       -0x1.3130e28256cb7p-1, 0x1.9b195f6e398cdp-1, 0x1.2a1df2c31fddp-1;
   pose_b.matrix().topRows<2>() << 0x1.9b195f6e398cdp-1, 0x1.3130e28256cb7p-1, 0x1.871c0cecac581p+2,
       -0x1.3130e28256cb7p-1, 0x1.9b195f6e398cdp-1, 0x1.877ddb6db125ap-1;
-  EXPECT_EQ(contacts(a, pose_a, b, pose_b).size(), 1u);
+  EXPECT_EQ(contacts(a, pose_a, b, pose_b, globally()).size(), 1u);
 }
 
 }  // namespace

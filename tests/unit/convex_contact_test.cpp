@@ -146,7 +146,7 @@ TEST(ConvexContact, OfHugeAndTinyTriangles) {
   for (const double size : {1e100, 1.2e154, 1e300, 1e-100, 1e-170, 1e-280})
     for (const auto& [a, b, depth] : pairs) {
       const Polygon p({scaled(a, size)}), q({scaled(b, size)});
-      const auto found = contacts(p, Pose::Identity(), q, Pose::Identity());
+      const auto found = contacts(p, Pose::Identity(), q, Pose::Identity(), globally());
       const auto way = penetration(p, Pose::Identity(), q, Pose::Identity());
       ASSERT_TRUE(way && found.size() == 1);
       EXPECT_NEAR(found[0].depth / size, depth, 1e-12) << size;
@@ -162,8 +162,9 @@ TEST(ConvexContact, OfANeedleInABoxIsOnTheNeedle) {
   for (const double width : {1e-27, 1e-20})
     for (const double length : {1e-11, 1e-9, 1e-6, 1e-3}) {
       const Polygon needle({{{-length, 0}, {0, -width}, {length, 0}, {0, width}}});
-      const std::vector<Contact> found = contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5)),
-                                 above = contacts(box, Pose::Identity(), needle, upright);
+      const std::vector<Contact> found =
+                                     contacts(box, Pose::Identity(), needle, turnedAndMoved(0, 10.25, 4.5), globally()),
+                                 above = contacts(box, Pose::Identity(), needle, upright, globally());
       ASSERT_EQ(found.size() + above.size(), 2u);
       EXPECT_EQ(found[0].normal, Vec2(1, 0));
       EXPECT_NEAR(found[0].depth, 3.75 + length, 1e-14);

@@ -18,8 +18,12 @@
 #include "strategies.h"
 #include "tricover/collide.h"
 #include "tricover/contacts.h"
+#include "tricover/distance.h"
+#include "tricover/least_distance.h"
 #include "tricover/locate.h"
 #include "tricover/paper.h"
+#include "tricover/penetration.h"
+#include "tricover/ray.h"
 #include "tricover/scene.h"
 
 namespace tricover::support {
@@ -57,6 +61,29 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
     EXPECT_TRUE(names(refusal([&] { contacts(polygon, bad, polygon, Pose::Identity()); }), "pose_a"));
     EXPECT_TRUE(names(refusal([&] { checkPose(bad, "mine"); }), "mine"));
   }
+}
+
+/// What a caller wrote in braces keeps its meaning.
+TEST(Options, GrowOnlyAtTheirEnd) {
+  const auto allowed = Touching::Allowed;
+  const CollideOptions collide{1, 2, allowed};
+  EXPECT_EQ(std::tuple(collide.margin, collide.tolerance, collide.touching), std::tuple(1, 2, allowed));
+  const CrossingOptions crossing{1, allowed};
+  EXPECT_EQ(std::tuple(crossing.margin, crossing.touching), std::tuple(1, allowed));
+  const ContactOptions contact{1, 2, ContactDetail::Points, allowed};
+  EXPECT_EQ(std::tuple(contact.margin, contact.most, contact.detail, contact.touching),
+            std::tuple(1, 2u, ContactDetail::Points, allowed));
+  const DistanceOptions distance{1, 2, 3};
+  EXPECT_EQ(std::tuple(distance.margin, distance.relative_error, distance.absolute_error), std::tuple(1, 2, 3));
+  const PenetrationOptions penetration{1, allowed};
+  EXPECT_EQ(std::tuple(penetration.margin, penetration.touching), std::tuple(1, allowed));
+  const ImpactOptions impact{1, 2, true};
+  EXPECT_EQ(std::tuple(impact.margin, impact.time_error, impact.ignore_initial), std::tuple(1, 2, true));
+  const LeastDistanceOptions least{1, 2};
+  EXPECT_EQ(std::tuple(least.margin, least.error), std::tuple(1, 2));
+  const BodyOptions body{1, 2, 3, allowed};
+  EXPECT_EQ(std::tuple(body.margin, body.category, body.mask, body.touching), std::tuple(1, 2u, 3u, allowed));
+  EXPECT_EQ(CoverOptions{1}.margin + RayOptions{1}.margin, 2);
 }
 
 TEST(Options, AreOfTheirEnumeration) {

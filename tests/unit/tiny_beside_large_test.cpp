@@ -87,7 +87,7 @@ TEST(Contacts, OfOnePartAreNoDeeperThanThePenetration) {
   const Pose pose_a =
       pose(-0x1.737f6b2a7749bp-1, -0x1.605364a7a1cfbp-1, 0, -0x1.605364a7a1cfbp-1, 0x1.737f6b2a7749bp-1, 0);
   const Pose pose_b = turnedAndMoved(0, 0x1.f9f0952156e9fp-1, 0x1.dfdab4cb8f031p-1);
-  const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b);
+  const std::vector<Contact> found = contacts(sliver, pose_a, chamfered, pose_b, globally());
   const auto p = penetration(sliver, pose_a, chamfered, pose_b);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_TRUE(p && p->optimal);
@@ -122,7 +122,7 @@ TEST(Contacts, OfWhatIsTinyLeadApart) {
         Polygon({{{0.75, -0.75}, {-1, 0.5}, {0, 0}, {-0.5, 0.25}, {0, -0.25}}}),
         pose(-0x1.5944a2p-5, -0x1.ff8b88p-1, 0, 0x1.ff8b88p-1, -0x1.5944a2p-5, 0)}}};
   for (const auto& [what, c] : cases) {
-    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+    const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
     ASSERT_EQ(found.size(), 1u) << what;
     EXPECT_EQ(wrongWayApart(c, found[0]), "") << what;
   }
@@ -138,7 +138,7 @@ TEST(Contacts, OfAFlatTriangleAreOnIt) {
                             -0x1.6898c8514a5bdp-1, -0x1.6d58fb42a45a8p-4})});
   const Case c{chamfered, kIdentity, flat,
                pose(0x1.1a62633145c07p-54, -1, -0x1.eabe8895eb10cp-2, 1, 0x1.1a62633145c07p-54, 0x1.829aa9c3f185p-1)};
-  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b);
+  const std::vector<Contact> found = contacts(c.a, c.pose_a, c.b, c.pose_b, globally());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(isCommon(c, found[0]));
 }

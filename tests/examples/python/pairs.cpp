@@ -288,7 +288,7 @@ void defineContacts(py::module_& m, const Records& records) {
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
-      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::GlobalDepth,
+      py::arg("most") = py::none(), py::arg("detail") = tricover::ContactDetail::LocalDepth,
       py::arg("touching") = tricover::Touching::Collides, py::arg("threads") = 0);
 }
 

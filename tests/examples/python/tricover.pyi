@@ -256,7 +256,7 @@ def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, ma
                 touching: Touching = Touching.COLLIDES,
                 threads: int = 0) -> Union[Optional[Penetration], List[Optional[Penetration]]]: ...
 def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
-             most: Optional[int] = None, detail: ContactDetail = ContactDetail.GLOBAL_DEPTH,
+             most: Optional[int] = None, detail: ContactDetail = ContactDetail.LOCAL_DEPTH,
              touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[List[Contact], List[List[Contact]]]: ...
 def time_of_impact(a: Polygon, motion_a: Way, b: Polygon, motion_b: Way, margin: float = 0.0, time_error: float = 1e-6,
                    ignore_initial: bool = False) -> Optional[Impact]:
