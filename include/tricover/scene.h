@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tricover/collide.h"
+#include "tricover/conflicts.h"
 #include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"

@@ -46,7 +46,7 @@ void forEachInterval(const Trajectory& a, const Trajectory& b, Visit visit) {
 std::optional<Impact> detail::timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                            const Trajectory& trajectory_b, const ImpactOptions& options) {
   if (options.ignore_initial) {
-    const std::vector<Conflict> all = conflicts(a, trajectory_a, b, trajectory_b, options);
+    const std::vector<Conflict> all = detail::conflicts(a, trajectory_a, b, trajectory_b, options);
     if (all.empty()) return std::nullopt;
     return all.front().impact;
   }

@@ -138,6 +138,10 @@ TEST(Throws, Motions) {
   THROWS(trajectory.h, Trajectory::spline, std::invalid_argument, Trajectory::spline({{1, end}, {0, end}}));
   THROWS(trajectory.h, Trajectory::spline, std::invalid_argument, Trajectory::spline({{0, end}, {1, bad_end}}));
   THROWS(trajectory.h, Trajectory::at, std::invalid_argument, path.at(kNaN));
+  THROWS(trajectory.h, Trajectory::isThere, std::invalid_argument, path.isThere(kNaN));
+  THROWS(trajectory.h, Trajectory::Trajectory, std::invalid_argument, Trajectory(off));
+  THROWS(trajectory.h, Trajectory::through, std::invalid_argument,
+         Trajectory::through({{0, {0, 0}, 0}, {1, {0, kNaN}, 0}}));
   THROWS(trajectory.h, Trajectory::part, std::invalid_argument, path.part(1, 1));
   THROWS(trajectory.h, Trajectory::part, std::invalid_argument, path.part(0.5, 2));
 }
@@ -205,8 +209,10 @@ TEST(Throws, PosesAndMaps) {
   THROWS(pose.h, checkPose, std::invalid_argument, checkPose(nowhere));
   THROWS(pose.h, nearestRigid, std::invalid_argument, nearestRigid(nowhere));
   THROWS(pose.h, nearestRigid, std::invalid_argument, nearestRigid(Pose(Eigen::Scaling(Vec2(1, 0)))));
-  for (const OccupancyGrid& bad : {too_few, flat, far, too_fine})
+  for (const OccupancyGrid& bad : {too_few, flat, far, too_fine}) {
     THROWS(outline.h, outline, std::invalid_argument, outline(bad));
+    THROWS(occupancy_grid_io.h, outline, std::invalid_argument, outline(OccupancyMap{bad, here}));
+  }
   THROWS(outline.h, outline, std::invalid_argument, outline(fits, IsOccupied()));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap("none.yaml"));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap(__FILE__));
@@ -214,6 +220,7 @@ TEST(Throws, PosesAndMaps) {
 
 TEST(Throws, PointsAndRays) {
   THROWS(locate.h, locate, std::invalid_argument, locate(square, bad_point));
+  THROWS(locate.h, locate, std::invalid_argument, locate(square, off, p));
   THROWS(ray.h, castRay, std::invalid_argument, castRay(square, here, p, bad_point));
   THROWS(ray.h, castRay, std::invalid_argument, castRay(square, off, p, q));
   THROWS(ray.h, castRayAll, std::invalid_argument, castRayAll(square, here, bad_point, q));

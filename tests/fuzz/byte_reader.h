@@ -61,7 +61,7 @@ class ByteReader {
     std::vector<Ring> rings(static_cast<std::size_t>(1 + kind % 3));
     for (Ring& ring : rings) {
       const int count = integer(3, 12 / static_cast<int>(rings.size()));
-      for (int i = 0; i < count; ++i) ring.push_back(Polygon::point(kind & 128 ? 8 : 4));
+      for (int i = 0; i < count; ++i) ring.push_back(point(kind & 128 ? 8 : 4));
     }
     return Polygon(std::move(rings), kind & 64 ? FillRule::NonZero : FillRule::EvenOdd);
   }
@@ -74,7 +74,7 @@ class ByteReader {
     if ((kind & 12) == 4) result = support::turnedAndMoved(integer(0, 255) * 0.0246, 0, 0);
     if ((kind & 12) == 8) result = support::throughFloat(support::turnedAndMoved(integer(0, 255) * 0.0246, 0, 0));
     if (kind & 16) result = support::mirrored(result);
-    if (kind & 96) result.translation() = Polygon::point(12);
+    if (kind & 96) result.translation() = point(12);
     return result;
   }
 

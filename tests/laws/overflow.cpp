@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "contact_laws.h"
 #include "exact_reference.h"
 #include "families.h"
 #include "law.h"

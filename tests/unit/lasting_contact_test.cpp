@@ -242,8 +242,8 @@ TEST(AbsentOutside, TheSamePlaceAtOtherTimes) {
   const Polygon robot = Polygon::box(1, 1);
   const Trajectory first({{0, 10, still(0, 0)}}), second({{11, 20, still(0, 0)}}), longer({{5, 15, still(0.5, 0)}});
   EXPECT_EQ(conflicts(robot, first, robot, second).size(), 1u);  // they rest
-  EXPECT_TRUE(conflicts(robot, first.vanishing(), robot, second).empty());
-  EXPECT_FALSE(timeOfImpact(robot, first.vanishing(), robot, second));
+  EXPECT_TRUE(conflicts(robot, first.vanishing(), robot, second.appearing()).empty());
+  EXPECT_FALSE(timeOfImpact(robot, first.vanishing(), robot, second.appearing()));
   expectOne(conflicts(robot, first.vanishing(), robot, longer.appearing()), 5, 10, 0);
   EXPECT_EQ(timeOfImpact(robot, first.vanishing(), robot, longer.appearing())->time, 5);
   // It appears, and parks where it ends.

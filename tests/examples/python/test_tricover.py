@@ -269,14 +269,14 @@ class Pairs(unittest.TestCase):
         before = tc.Trajectory([(0, 10, tc.Motion.still(ORIGIN))])
         after = tc.Trajectory([(11, 20, tc.Motion.still(ORIGIN))])
         self.assertEqual(len(tc.conflicts(SQUARE, before, SQUARE, after)), 1)
-        self.assertEqual(tc.conflicts(SQUARE, before.vanishing(), SQUARE, after), [])
+        self.assertEqual(tc.conflicts(SQUARE, before.vanishing(), SQUARE, after.appearing()), [])
         self.assertEqual(tc.conflicts(SQUARE, before, SQUARE, after.appearing())[0].impact.time, 11)
         self.assertFalse(after.appearing().is_there(10.5))
         scene = tc.Scene()
         bodies = [scene.add(SQUARE, ORIGIN) for _ in range(2)]
         ways = list(zip(bodies, [before, after]))
         self.assertEqual(len(scene.conflicts(ways)), 1)
-        ways[0] = bodies[0], before.vanishing()
+        ways = list(zip(bodies, [before.vanishing(), after.appearing()]))
         self.assertEqual(scene.conflicts(ways), [])
         self.assertEqual(scene.impacts(ways), [])
 
