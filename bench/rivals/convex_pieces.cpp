@@ -65,7 +65,7 @@ class PieceMerger {
 
   bool convexAt(int before, int at, int after) const {
     const auto point = [&](int v) -> const Vec2& { return points_[static_cast<std::size_t>(v)]; };
-    return orientation(Polygon::point(before), Polygon::point(at), Polygon::point(after)) >= 0;
+    return orientation(point(before), point(at), point(after)) >= 0;
   }
 
   /// The diagonal runs from u to v in `left` and from v to u in `right`.

@@ -44,7 +44,7 @@ TEST(Documentation, PolygonShape) {
   tricover_fcl::PolygonOptions options;
   options.z_high = 2;     // a prism, from 0 to 2
   options.margin = 0.25;  // kept free around it
-  const tricover_fcl::PolygonShaped Polygon::box(square, options);
+  const tricover_fcl::PolygonShaped box(square, options);
   EXPECT_FALSE(box.isFlat());
   EXPECT_EQ(box.polygon().id(), square.id());  // shares the polygon and what is derived from it
 

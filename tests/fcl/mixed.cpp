@@ -182,9 +182,9 @@ TEST(MixedMotions, meetOnTime) {
   const auto box = [](double x, double y) { return std::make_shared<fcl::Boxd>(x, y, y); };
   const auto plane = std::make_shared<fcl::Planed>(0, 1, 0, 2);
   std::vector<Passing> rows = {
-      {"nothing tunnels", rectangular(0, 0, 1e-3, 1e-3), at(-500, 0), at(500, 0), Polygon::box(1e-3, 10), at(1, 0),
-       at(1, 0), fcl::CCDM_TRANS, (501 - 1.5e-3) / 1000},
-      {"contact at the end", tip(), at(3, 0), at(1, 0), Polygon::box(2, 2), kHere, kHere, fcl::CCDM_LINEAR, 1}};
+      {"nothing tunnels", rectangular(0, 0, 1e-3, 1e-3), at(-500, 0), at(500, 0), box(1e-3, 10), at(1, 0), at(1, 0),
+       fcl::CCDM_TRANS, (501 - 1.5e-3) / 1000},
+      {"contact at the end", tip(), at(3, 0), at(1, 0), box(2, 2), kHere, kHere, fcl::CCDM_LINEAR, 1}};
   for (const fcl::CCDMotionType type : {fcl::CCDM_LINEAR, fcl::CCDM_SCREW}) {
     rows.push_back({"a rod turns into a sphere", rod, kHere, turned_rod, sphere(0.5), at(0, 2), at(0, 2), type,
                     (M_PI / 2 - std::asin(0.25)) / end});

@@ -101,7 +101,7 @@ void definePolygon(py::module_& m) {
       "segment",
       [](const Array& p, const Array& q) { return tricover::Polygon::segment(pointFrom(p, "p"), pointFrom(q, "q")); },
       py::arg("p"), py::arg("q"));
-  m.def("box", &tricover::box, py::arg("width"), py::arg("height"));
+  m.def("box", &Polygon::box, py::arg("width"), py::arg("height"));
 }
 
 void defineMaps(py::module_& m) {
@@ -152,7 +152,7 @@ void definePoses(py::module_& m) {
             py::array_t<double> matrices(shape);
             double* number = matrices.mutable_data();
             for (const tricover::Pose& pose : self.poses)
-              for (int i = 0; i < 9; ++i) *number++ = poseAt(i / 3, i % 3);
+              for (int i = 0; i < 9; ++i) *number++ = pose(i / 3, i % 3);
             return type.is_none() ? py::object(matrices) : matrices.attr("astype")(type);
           },
           py::arg("dtype") = py::none(), py::arg("copy") = py::none());
