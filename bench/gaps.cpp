@@ -85,7 +85,9 @@ std::vector<Result> measureLastingContact() {
                 square = Polygon::box(2, 2), low = Polygon::box(1, 0.6);
   const Polygon post({{{-0.25, -1}, {0.25, -1}, {0.25, 0}, {-0.25, 0}}}), corner({{{0, 0}, {1, 0.5}, {0.5, 1}}});
   const Polygon rod = Polygon::segment({0, 0}, {1, 0});
-  const auto from = [](double x, double y, const Vec2& shift) { return Motion::translation(poseAt(x, y), shift); };
+  const auto from = [](double x, double y, const Vec2& shift) {
+    return Motion::translation(tricover::poseAt(x, y), shift);
+  };
   const auto turned = [](const Pose& start, const Vec2& by) {
     Motion motion = Motion::still(start);
     motion.start.translation() += start.linear() * by;
@@ -94,8 +96,8 @@ std::vector<Result> measureLastingContact() {
   };
   const Motion still, spline = Motion::spline({{-5, 1}, 0, {6, 0}, 0}, {{5, 1}, 0, {8, 0}, 0});
   std::vector<TimedPose> way;
-  for (int i = 0; i <= 60; ++i) way.push_back({static_cast<double>(i), poseAt(-9 + 0.3 * i, 1)});
-  Pose stretched = Pose::Identity(), rounded = poseAt(0, 0, 0.7);
+  for (int i = 0; i <= 60; ++i) way.push_back({static_cast<double>(i), tricover::poseAt(-9 + 0.3 * i, 1)});
+  Pose stretched = Pose::Identity(), rounded = tricover::poseAt(0, 0, 0.7);
   stretched.linear() *= 1 + 4e-15;
   rounded.linear() = rounded.linear().cast<float>().cast<double>();
   const auto once = [](const Motion& motion) { return Trajectory({{0, 1, motion}}); };
