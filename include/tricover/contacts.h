@@ -90,11 +90,13 @@ struct Contact {
   /// A unit vector, from a towards where b leaves it. If both polygons are convex, or the overlap is one component with
   /// GlobalDepth, moving b along it by `depth` is the shortest separating translation, as penetration() finds it. For
   /// polygons that are not convex that search ends after 2^22 translations divided by the number of vertices, and is
-  /// left out beyond 4096 vertices. Where it ends, with LocalDepth and for several components, moving b along the
-  /// normal by `depth` takes b out of a on every line that runs along the normal through this component; where one
-  /// polygon lies within the other, it takes b past the nearest edge. Into one wall of a room by t that is t along the
-  /// wall's normal, and into both walls of a right-angled corner 1.41 t along the bisector. Such a move is good for a
-  /// response that is repeated, not for one step. Where regions only touch, moving b along the normal by a little
+  /// left out beyond 4096 vertices.
+  ///
+  /// In all other cases the normal separates only this component, by the edges around it: moving b along it by `depth`
+  /// takes b out of a on every line that runs along the normal through this component; where one polygon lies within
+  /// the other, it takes b past the nearest edge. Into one wall of a room by t that is t along the wall's normal, and
+  /// into both walls of a right-angled corner 1.41 t along the bisector. Use it in a loop that moves and queries again:
+  /// one step may not separate the polygons. Where regions only touch, moving b along the normal by a little
   /// separates them, unless they are wedged or touch at several components. LocalDepth does not promise that.
   Vec2 normal;
   /// At least 0. For two convex polygons it is as precise as coordinates are, however short their edges. It is 0 where
@@ -118,8 +120,8 @@ struct Contact {
 ///
 /// A convex pair takes 0.3 us for 8 vertices each and 1 us for 64, twice that where they are deep in each other.
 /// With GlobalDepth another pair with one component takes a penetration() more: 15 and 30 us where they overlap by
-/// little, 30 and 250 us where by a third of their size; for 1024 vertices up to 0.2 s. The time grows with the number of components and of
-/// pairs of edges that meet.
+/// little, 30 and 250 us where by a third of their size; for 1024 vertices up to 0.2 s. The time grows with the number
+/// of components and of pairs of edges that meet.
 ///
 /// \throws std::invalid_argument for a pose that checkPose() refuses, for a margin that is negative or not finite, for
 /// a value that Touching or ContactDetail doesn't have, and for a Polygon::complement() with GlobalDepth, even

@@ -13,8 +13,8 @@ struct CoverOptions {
   /// A boundary of the area exactly that far from the part is far enough.
   ///
   /// With a negative margin of -e the part may stick out of the area by e: no point of the part is farther than e from
-  /// the area, by excess() and as precisely. Gaps and posts thinner than 2 e are overlooked. Who must respect these
-  /// asks collide() with the area's complement.
+  /// the area, by excess() and as precisely. Gaps and posts thinner than 2 e are overlooked: to respect these, ask
+  /// collide() with the area's complement.
   double margin = 0;
 };
 

@@ -62,7 +62,7 @@ struct Excess {
 /// directed Hausdorff distance of the two regions, with their interiors and holes.
 ///
 /// The distance is 0 exactly where covers() is true. It is precise to 1e-14 of the coordinates. It overlooks gaps of
-/// the area that are narrower than twice the distance, and posts: who must respect these asks collide() with the area's
+/// the area that are narrower than twice the distance, and posts: to respect these, ask collide() with the area's
 /// complement.
 ///
 /// \throws std::invalid_argument as depth().

@@ -53,9 +53,9 @@ class TRICOVER_EXPORT Polygon {
       : Polygon(std::vector<Ring>(rings), fill) {}
   /// A vertex of one ring in braces: `Polygon({{0, 0}, {1, 0}, {0, 1}})`.
   struct Vertex {
-    Vertex(double x, double y) : at(x, y) {}
-    Vertex(const Vec2& p) : at(p) {}
-    Vec2 at;
+    Vertex(double x, double y) : at(x, y) {}  ///< By its coordinates.
+    Vertex(const Vec2& p) : at(p) {}          ///< By a point.
+    Vec2 at;                                  ///< Where it is.
   };
   /// Makes a polygon from one ring in braces, by the same rules.
   explicit Polygon(std::initializer_list<Vertex> ring, FillRule fill = FillRule::EvenOdd);

@@ -6,12 +6,11 @@
 
 namespace tricover {
 
-/// Builds all that queries may derive from a polygon, for all its copies and threads: O(n log n) for who has a deadline
-/// to meet later.
+/// Builds all acceleration structures of a polygon, for all its copies and threads, in O(n log n): for programs that
+/// have a deadline to meet later.
 ///
-/// Without it, what is derived is built in stages, each by a query that comes when the queries before it have paid,
-/// without the stage, about what it costs: a polygon that is asked once builds nothing. Which stages are there never
-/// changes an answer.
+/// Without prepare(), a polygon builds its acceleration structures step by step, once enough queries have made them
+/// worth their cost. A polygon that is queried once builds none. They never change an answer.
 ///
 /// \snippet prepare.cpp prepare
 TRICOVER_EXPORT void prepare(const Polygon& polygon);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What who cuts parts out of a sheet asks: 60 parts that lie on each other are pushed apart until each has its kerf,
+// Cutting parts out of a sheet: 60 parts that lie on each other are pushed apart until each has its kerf,
 // the width of the cut, to the others and to the sheet's edge. Parts that are exactly that far apart touch, which is
 // allowed. Draws where they came from and where they are.
 #include <tricover/tricover.h>
