@@ -86,6 +86,7 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Motio
 
 std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Trajectory& trajectory,
                                              const ImpactOptions& options, const BodyFilter& filter) const {
+  if (trajectory.rests()) detail::refuse("trajectory", "it always rests, as all bodies do", "ask anyColliding()");
   return firstImpactOn(trajectory, polygon, options, impl_->settled(), filter);
 }
 

@@ -273,6 +273,7 @@ TEST(AbsentOutside, ABodyThatAlwaysRestsIsThereAsLongAsTheOther) {
   }
   plans.pop_back();
   EXPECT_THROW(scene.impacts(plans), std::invalid_argument);
+  EXPECT_THROW(scene.firstImpact(robot, rests), std::invalid_argument);
 }
 
 const Polygon kSquare = Polygon::box(2, 2), kNotched(Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-0.5, 0}});

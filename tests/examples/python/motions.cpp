@@ -88,14 +88,14 @@ void defineTrajectory(py::module_& m) {
       .def("is_there", &Trajectory::isThere, py::arg("time"))
       .def_static(
           "through",
-          [](const Array& times, const Array& poses, const Array& pivot) {
-            requireKnots(times, poses, "poses");
-            std::vector<tricover::Waypoint> waypoints;
+          [](const Array& times, const Array& waypoints, const Array& pivot) {
+            requireKnots(times, waypoints, "waypoints");
+            std::vector<tricover::Waypoint> given;
             for (py::ssize_t i = 0; i < times.shape(0); ++i)
-              waypoints.push_back({times.at(i), {poses.at(i, 0), poses.at(i, 1)}, poses.at(i, 2)});
-            return Trajectory::through(waypoints, pointFrom(pivot, "pivot"));
+              given.push_back({times.at(i), {waypoints.at(i, 0), waypoints.at(i, 1)}, waypoints.at(i, 2)});
+            return Trajectory::through(given, pointFrom(pivot, "pivot"));
           },
-          py::arg("times"), py::arg("poses"), py::arg("pivot") = kNoPivot)
+          py::arg("times"), py::arg("waypoints"), py::arg("pivot") = kNoPivot)
       .def_static(
           "spline",
           [](const Array& times, const Array& places, const Array& velocities, const Array& pivot) {

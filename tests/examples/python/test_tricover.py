@@ -329,7 +329,7 @@ class Pairs(unittest.TestCase):
         np.testing.assert_allclose(spline.at(4), matrix(4, 0, 0), atol=1e-14)
         with self.assertRaisesRegex(ValueError, r"poses: its shape must be \(n, 3\)"):
             tc.Trajectory.through([1, 2], [ORIGIN])
-        with self.assertRaisesRegex(ValueError, r"poses\[1\].time"):
+        with self.assertRaisesRegex(ValueError, r"waypoints\[1\].time"):
             tc.Trajectory.through([1, 1], [ORIGIN, ORIGIN])
         with self.assertRaises(TypeError):
             tc.time_of_impact(SQUARE, rest, SQUARE, tc.Motion.still(ORIGIN))

@@ -143,8 +143,8 @@ class Trajectory:
     def rests(self) -> bool: ...
     def is_there(self, time: float) -> bool: ...
     @staticmethod
-    def through(times: ArrayLike, poses: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
-        """From pose to pose: times (n,), x, y and heading (n, 3), which it rotates by. It waits where two are the same."""
+    def through(times: ArrayLike, waypoints: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
+        """From waypoint to waypoint: times (n,), x, y and heading (n, 3), which it rotates by. It waits where two are the same."""
     @staticmethod
     def spline(times: ArrayLike, places: ArrayLike, velocities: ArrayLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
         """The cubic Hermite spline from knot to knot: times (n,), places and their rates (n, 3)."""
