@@ -90,13 +90,11 @@ struct Contact {
   /// A unit vector, from a towards where b leaves it. If both polygons are convex, or the overlap is one component with
   /// GlobalDepth, moving b along it by `depth` is the shortest separating translation, as penetration() finds it. For
   /// polygons that are not convex that search ends after 2^22 translations divided by the number of vertices, and is
-  /// left out beyond 4096 vertices.
-  ///
-  /// In all other cases the normal separates only this component, by the edges around it: moving b along it by `depth`
-  /// takes b out of a on every line that runs along the normal through this component; where one polygon lies within
-  /// the other, it takes b past the nearest edge. Into one wall of a room by t that is t along the wall's normal, and
-  /// into both walls of a right-angled corner 1.41 t along the bisector. Use it in a loop that moves and queries again:
-  /// one step may not separate the polygons. Where regions only touch, moving b along the normal by a little
+  /// left out beyond 4096 vertices. In all other cases the normal separates only this component: moving b along it by
+  /// `depth` takes b out of a on every line along it through the component, by the edges around it; where one polygon
+  /// lies within the other, it takes b past the nearest edge. Into one wall of a room by t that is t along the wall's
+  /// normal, and into both walls of a right-angled corner 1.41 t along the bisector. Use it in a loop that moves and
+  /// queries again: one step may not separate them. Where regions only touch, moving b along the normal by a little
   /// separates them, unless they are wedged or touch at several components. LocalDepth does not promise that.
   Vec2 normal;
   /// At least 0. For two convex polygons it is as precise as coordinates are, however short their edges. It is 0 where

@@ -10,7 +10,8 @@ namespace tricover {
 /// have a deadline to meet later.
 ///
 /// Without prepare(), a polygon builds its acceleration structures step by step, once enough queries have made them
-/// worth their cost. A polygon that is queried once builds none. They never change an answer.
+/// worth their cost.
+/// A polygon that is queried once builds none. They never change an answer.
 ///
 /// \snippet prepare.cpp prepare
 TRICOVER_EXPORT void prepare(const Polygon& polygon);

@@ -26,8 +26,9 @@ struct PolygonOptions {
   double z_high = 0;  ///< see z_low
 
   /// The options of a shape at all heights, for scenes in which z means nothing: z_low and z_high are -infinity and
-  /// infinity. Flat shapes collide only at exactly the same z; shapes at all heights ignore z. FCL's managers can't hold
-  /// infinite boxes, so their box of such a shape is as high and as deep as it is wide: keep z values close there.
+  /// infinity.
+  /// Flat shapes collide only at exactly the same z; shapes at all heights ignore z. FCL's managers can't hold infinite
+  /// boxes, so their box of such a shape is as high and as deep as it is wide: keep z values close there.
   ///
   /// \snippet fcl.cpp shape
   static PolygonOptions atAllHeights(double margin = 0) {

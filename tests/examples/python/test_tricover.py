@@ -327,7 +327,7 @@ class Pairs(unittest.TestCase):
         self.assertAlmostEqual(span.end, 31, 5)
         spline = tc.Trajectory.spline([0, 2, 5], [(0, 0, 0), (2, 0, 0), (5, 0, 0)], [(1, 0, 0)] * 3)
         np.testing.assert_allclose(spline.at(4), matrix(4, 0, 0), atol=1e-14)
-        with self.assertRaisesRegex(ValueError, r"poses: its shape must be \(n, 3\)"):
+        with self.assertRaisesRegex(ValueError, r"waypoints: its shape must be \(n, 3\)"):
             tc.Trajectory.through([1, 2], [ORIGIN])
         with self.assertRaisesRegex(ValueError, r"waypoints\[1\].time"):
             tc.Trajectory.through([1, 1], [ORIGIN, ORIGIN])
