@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "contact/overlap_arcs.h"
 #include "numbers/segment.h"
@@ -212,16 +213,22 @@ class Grouping : OverlapArcs {
   /// The shares of a stretch that two edges have in common, seen along a's, where one side's edge has stops. `alike`:
   /// whether that edge runs as a's does.
   void addCuts(int side, const EdgeCrossing& c, bool alike, std::vector<double>& cuts) const {
-    const auto& stops = sides_[side].stops;
     const double length = c.on[side].high - c.on[side].low;
     if (!(length > 0)) return;
-    const auto first =
-        std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < c.edge[side]; });
-    for (auto stop = first; stop != stops.end() && stop->edge == c.edge[side]; ++stop)
-      for (const double at : {stop->span.low, stop->span.high}) {
+    forEachStop(side, c.edge[side], [&](const Stop& stop) {
+      for (const double at : {stop.span.low, stop.span.high}) {
         const double share = (at - c.on[side].low) / length;
         if (0 < share && share < 1) cuts.push_back(alike ? share : 1 - share);
       }
+    });
+  }
+
+  /// On an edge, in order.
+  template <typename Visit>
+  void forEachStop(int side, EdgePosition edge, Visit visit) const {
+    const auto& stops = sides_[side].stops;
+    auto stop = std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < edge; });
+    for (; stop != stops.end() && stop->edge == edge; ++stop) visit(*stop);
   }
 
   void addCommonPiece(const EdgeCrossing& c, bool alike, double from, double to, std::vector<OutlinePiece>& common) {
@@ -287,28 +294,33 @@ class Grouping : OverlapArcs {
     return false;
   }
 
-  /// Of a polygon that meets itself: an edge from one such point to the next, where its region may change sides.
+  /// The parts of an edge whose polygon meets itself, from one such point to the next: the region may change sides
+  /// there.
   const std::vector<OutlinePiece>& partsOf(int side, EdgePosition edge) {
     if (!parts_.empty() && parts_.front().side == side && parts_.front().position == edge) return parts_;
     parts_.clear();
-    const auto& stops = sides_[side].stops;
-    auto stop = std::partition_point(stops.begin(), stops.end(), [&](const Stop& s) { return s.edge < edge; });
-    for (double from = 0; from < 1;) {
-      while (stop != stops.end() && stop->edge == edge && (stop->node < crossings_.size() || !(stop->span.low > from)))
-        ++stop;
-      const double to = stop != stops.end() && stop->edge == edge ? stop->span.low : 1;
-      addPart({ends(side, edge), {from, to}, {from, to}, side, edge, false, false});
-      from = to;
-    }
+    double from = 0;
+    const auto addUntil = [&](double to) {
+      if (to > from) addPart({ends(side, edge), {from, to}, {from, to}, side, edge, false, false});
+      from = std::max(from, to);
+    };
+    forEachStop(side, edge, [&](const Stop& stop) {
+      if (stop.node >= crossings_.size()) addUntil(stop.span.low);
+    });
+    addUntil(1);
     return parts_;
+  }
+
+  /// Whether a region holds what is just to the left of a way at a point, and what is to the right.
+  std::pair<bool, bool> heldBeside(int side, const Vec2& point, const Vec2& way) const {
+    const Vec2 beside = 8 * frame_.error() * Vec2(-way.y(), way.x()).normalized();
+    return {holds(side, point + beside), holds(side, point - beside)};
   }
 
   void addPart(OutlinePiece part) {
     if (!(part.length() > 4 * frame_.error())) return;
-    const Vec2 way = part.way(), beside = 8 * frame_.error() * Vec2(-way.y(), way.x()).normalized();
-    const Vec2 at = part.edge.v + somewhere(part.known) * way;
-    part.left = holds(part.side, at + beside);
-    part.right = holds(part.side, at - beside);
+    const auto [left, right] = heldBeside(part.side, part.edge.v + somewhere(part.known) * part.way(), part.way());
+    part.left = left, part.right = right;
     parts_.push_back(part);
   }
 
@@ -352,12 +364,12 @@ class Grouping : OverlapArcs {
   void lookBeside(const EdgeCrossing& crossing, OverlapComponent& component) const {
     const Ends edge = frame_.edgeEndsOfA(crossing.edge[0]);
     const Vec2 way = edge.w - edge.v;
-    const double length = way.norm() * (crossing.on[0].high - crossing.on[0].low), error = frame_.error();
-    if (!(length > 32 * error)) return;
-    const Vec2 normal = Vec2(-way.y(), way.x()).normalized(), beside = 8 * error * normal;
+    const double length = way.norm() * (crossing.on[0].high - crossing.on[0].low);
+    if (!(length > 32 * frame_.error())) return;
+    const Vec2 normal = Vec2(-way.y(), way.x()).normalized();
     const Vec2 point = frame_.edgeOfA(crossing.edge[0], somewhere(crossing.on[0]));
-    const bool a_left = holds(0, point + beside), a_right = holds(0, point - beside);
-    const bool b_left = holds(1, point + beside), b_right = holds(1, point - beside);
+    const auto [a_left, a_right] = heldBeside(0, point, way);
+    const auto [b_left, b_right] = heldBeside(1, point, way);
     component.inner = (a_left && b_left) || (a_right && b_right);
     if (a_right && b_left) component.facing += length * normal;
     if (a_left && b_right) component.facing -= length * normal;

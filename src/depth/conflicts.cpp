@@ -72,7 +72,7 @@ MovingContact::MovingContact(const Polygon& a, const Motion& motion_a, const Pol
       pair_(preparedPair(a, motion_a, b, motion_b, std::max(options.margin, 0.0))),
       margin_(options.margin),
       seen_(0.5 * std::max(options.time_error, kShortestTime)),
-      // What touches by the motions' truth is to touch by the poses that are asked.
+      // Bodies that touch by their motions are to touch by the rounded poses that are tested, too.
       precision_(
           std::max(8 * pair_.error * pair_.length * pair_.expansion, posedError(motion_a) + posedError(motion_b))),
       touch_margin_(margin_ + (margin_ < 0 ? kDeepEnough + 1 : 1) * precision_),

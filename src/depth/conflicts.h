@@ -63,6 +63,13 @@ class MovingContact {
 void addConflicts(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b, double begin,
                   double end, const ImpactOptions& options, bool& leaves_out, std::vector<Conflict>& all);
 
+/// When two bodies are there together, from the first begin to the last end of the two; `begin` is later than `end` if
+/// they never are. Throws for two that always rest.
+struct TimeTogether {
+  double begin, end;
+};
+TimeTogether timeTogether(const Trajectory& a, const Trajectory& b);
+
 /// timeOfImpact() and conflicts() of trajectories, with options that have been checked.
 std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                    const Trajectory& trajectory_b, const ImpactOptions& options);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "depth/conflicts.h"
 #include "impact/impact_options.h"
 #include "numbers/errors.h"
 #include "tricover/distance.h"
@@ -14,7 +15,7 @@
 namespace tricover {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
 
 void checkOptions(const LeastDistanceOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
@@ -120,19 +121,9 @@ LeastDistance leastDistance(const Polygon& a, const Motion& motion_a, const Poly
 LeastDistance leastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                             const Trajectory& trajectory_b, const LeastDistanceOptions& options) {
   checkOptions(options);
-  double begin = kInfinity, end = -kInfinity, appear = -kInfinity, vanish = kInfinity;
-  for (const Trajectory* body : {&trajectory_a, &trajectory_b}) {
-    if (body->rests()) continue;
-    begin = std::min(begin, body->begin());
-    end = std::max(end, body->end());
-    if (body->appears()) appear = std::max(appear, body->begin());
-    if (body->vanishes()) vanish = std::min(vanish, body->end());
-  }
-  if (begin == kInfinity) detail::refuse("trajectories", "both bodies always rest", "ask distance()");
-  begin = std::max(begin, appear);
-  end = std::min(end, vanish);
-  if (!(begin <= end)) detail::refuse("trajectories", "the bodies are never there together");
-  return LeastOnWay<Trajectory>(a, trajectory_a, b, trajectory_b, begin, end, options).find();
+  const detail::TimeTogether together = detail::timeTogether(trajectory_a, trajectory_b);
+  if (!(together.begin <= together.end)) detail::refuse("trajectories", "the bodies are never there together");
+  return LeastOnWay<Trajectory>(a, trajectory_a, b, trajectory_b, together.begin, together.end, options).find();
 }
 
 }  // namespace tricover

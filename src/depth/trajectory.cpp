@@ -17,31 +17,42 @@ namespace {
 /// both bodies are there, until it returns false. Bodies that are there together for an instant stand still in it.
 template <typename Visit>
 void forEachInterval(const Trajectory& a, const Trajectory& b, Visit visit) {
-  if (a.rests() && b.rests()) detail::refuse("trajectories", "both bodies always rest", "ask collide() or distance()");
+  const detail::TimeTogether together = detail::timeTogether(a, b);
+  if (together.begin == together.end) {
+    visit(Motion::still(a.at(together.begin)), Motion::still(b.at(together.begin)), together.begin, together.begin);
+    return;
+  }
   std::vector<double> times;
   times.reserve(a.legs().size() + b.legs().size() + 2);
-  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
   for (const Trajectory* body : {&a, &b}) {
     if (body->rests()) continue;
     times.push_back(body->begin());
     for (const Leg& leg : body->legs()) times.push_back(leg.end);
-    if (body->appears()) begin = std::max(begin, body->begin());
-    if (body->vanishes()) end = std::min(end, body->end());
-  }
-  if (begin == end) {
-    visit(Motion::still(a.at(begin)), Motion::still(b.at(begin)), begin, end);
-    return;
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double from = times[i - 1], until = times[i];
-    if (from < begin || until > end) continue;
+    if (from < together.begin || until > together.end) continue;
     if (!visit(a.part(from, until), b.part(from, until), from, until)) return;
   }
 }
 
 }  // namespace
+
+detail::TimeTogether detail::timeTogether(const Trajectory& a, const Trajectory& b) {
+  if (a.rests() && b.rests()) refuse("trajectories", "both bodies always rest", "ask collide() or distance()");
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double begin = kInfinity, end = -kInfinity, appear = -kInfinity, vanish = kInfinity;
+  for (const Trajectory* body : {&a, &b}) {
+    if (body->rests()) continue;
+    begin = std::min(begin, body->begin());
+    end = std::max(end, body->end());
+    if (body->appears()) appear = std::max(appear, body->begin());
+    if (body->vanishes()) vanish = std::min(vanish, body->end());
+  }
+  return {std::max(begin, appear), std::min(end, vanish)};
+}
 
 std::optional<Impact> detail::timeOfImpact(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                            const Trajectory& trajectory_b, const ImpactOptions& options) {

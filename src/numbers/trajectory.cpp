@@ -32,6 +32,11 @@ void checkLegs(const std::vector<Leg>& legs) {
   }
 }
 
+/// The first leg that ends later.
+const Leg& legAt(const std::vector<Leg>& legs, double time) {
+  return *std::upper_bound(legs.begin(), legs.end(), time, [](double at, const Leg& leg) { return at < leg.end; });
+}
+
 /// motionOf(i) from the time of timed[i - 1] to that of timed[i].
 template <typename Timed, typename MotionOf>
 std::vector<Leg> legsBetween(const std::vector<Timed>& timed, const char* name, MotionOf motionOf) {
@@ -118,8 +123,7 @@ Motion Trajectory::part(double from, double until) const {
   if (!(from < until)) detail::refuse("until", "it must be later than from");
   if (rests_ || from >= end()) return Motion::still(last_);
   if (until <= begin()) return Motion::still(legs_.front().motion.start);
-  const auto ends_later = [&](double time, const Leg& leg) { return time < leg.end; };
-  const Leg& leg = *std::upper_bound(legs_.begin(), legs_.end(), from, ends_later);
+  const Leg& leg = legAt(legs_, from);
   if (!(leg.begin <= from && until <= leg.end)) detail::refuse("until", "a leg begins or ends before it");
   const double length = leg.end - leg.begin;
   return leg.motion.part((from - leg.begin) / length, until == leg.end ? 1 : (until - leg.begin) / length);
@@ -129,8 +133,7 @@ Pose Trajectory::at(double time) const {
   requireTime(time);
   if (rests_ || time >= end()) return last_;
   if (time <= begin()) return legs_.front().motion.start;
-  const auto ends_later = [](double at, const Leg& leg) { return at < leg.end; };
-  const Leg& leg = *std::upper_bound(legs_.begin(), legs_.end(), time, ends_later);
+  const Leg& leg = legAt(legs_, time);
   return leg.motion.at((time - leg.begin) / (leg.end - leg.begin));
 }
 

@@ -15,8 +15,8 @@
 
 namespace tricover::detail {
 
-/// What a query wants to know beside the answer: nothing, how certain it is, or the edges of a hit. The less, the
-/// shorter the ways to it.
+/// A query wants the answer alone, or how certain it is, too, or the edges of a hit. The less it wants, the shorter the
+/// ways to it.
 enum class Wanted { Answer, Clearance, Edges };
 
 /// What the two boxes around everything, few edges and inner discs tell, before the trees are searched. Lengths are

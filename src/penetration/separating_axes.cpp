@@ -123,7 +123,7 @@ SeparatingAxes::SeparatingAxes(const PosedPair& pair)
 /// The first face to be asked is one that looks at the other polygon: what the least depth isn't above is soon known.
 /// Faces that a corner of the other polygon proves to be deeper than the limit are left out.
 SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
-  // What a corner and an area are off by, of edges that are at most 2 sqrt2 sizes long.
+  // A corner and an area are off by at most this, of edges that are at most 2 sqrt2 sizes long.
   const double doubtful = 12 * error() * size_;
   double most_square = mostSquare();
   std::uint32_t first = edgeTowardsB(), at = 0;
@@ -132,8 +132,8 @@ SeparatingAxes::Verdict SeparatingAxes::lookBehindAll() {
     OtherCorners others(own, side(!of_a).ring, at);
     for (std::uint32_t k = first, left = own.ring.size(); left > 0; k = own.ring.next(k), --left) {
       const Double2 start = own.ring.vertex(k), way = own.ring.edge(k), square = way * way;
-      // What is compared has all of its digits: the limit is no less than 2^-48 of the size, and so is an edge whose
-      // area is above what is doubtful.
+      // The compared numbers have all of their digits: the limit is no less than 2^-48 of the size, and so is an edge
+      // whose area is above what is doubtful.
       const double area = others.largestArea(start, way) - doubtful;
       if (area > 0 && area * area > most_square * (square[0] + square[1])) continue;
       const Verdict verdict = lookBehind(of_a, k, at);

@@ -92,17 +92,40 @@ std::optional<BodyImpact> Scene::firstImpact(const Polygon& polygon, const Traje
 
 namespace {
 
-bool alwaysRests(const Motion&) { return false; }
-bool alwaysRests(const Trajectory& trajectory) { return trajectory.rests(); }
 const Motion& pathOf(const BodyMotion& moving) { return moving.motion; }
 const Trajectory& pathOf(const BodyTrajectory& moving) { return moving.trajectory; }
+
+/// The first begin and the last end of what moves.
+struct Clock {
+  double begin = kInfinity, end = -kInfinity;
+};
+Clock clockOf(const std::vector<BodyMotion>&) { return {0, 1}; }
+Clock clockOf(const std::vector<BodyTrajectory>& trajectories) {
+  Clock clock;
+  for (const BodyTrajectory& moving : trajectories) {
+    if (moving.trajectory.rests()) continue;
+    clock.begin = std::min(clock.begin, moving.trajectory.begin());
+    clock.end = std::max(clock.end, moving.trajectory.end());
+  }
+  if (!trajectories.empty() && !(clock.begin < clock.end))
+    detail::refuse("trajectories", "all bodies always rest", "ask collisions() or nearest()");
+  return clock;
+}
+
+/// Two trajectories that always rest have no time of their own: the first one then rests by the clock.
+void restByClock(BodyMotion&, const BodyMotion&, const Clock&) {}
+void restByClock(BodyTrajectory& first, const BodyTrajectory& second, const Clock& clock) {
+  if (first.trajectory.rests() && second.trajectory.rests())
+    first.trajectory = Trajectory({{clock.begin, clock.end, Motion::still(first.trajectory.at(clock.begin))}});
+}
 
 /// Returns the pairs of bodies that may meet while some of them move, sorted. They are near in some interval of time.
 template <typename Moving>
 std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Moving>& motions,
-                                const std::vector<std::uint32_t>& motion_of, double margin) {
+                                const std::vector<std::uint32_t>& motion_of, const Clock& clock, double margin) {
   std::vector<Sweep> sweeps;
-  double most = 1, begin = kInfinity, end = -kInfinity;
+  const auto [begin, end] = clock;
+  double most = 1;
   std::size_t legs = 1;
   for (const Moving& moving : motions) {
     const auto& body = state.bodies[Scene::indexOf(moving.body)];
@@ -110,9 +133,6 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     const Sweep& sweep = sweeps.emplace_back(body.polygon, legsOf(pathOf(moving)), body.options.margin + 0.5 * margin);
     most = std::max(most, sweep.intervals());
     legs = std::max(legs, sweep.legs().size());
-    if (alwaysRests(pathOf(moving))) continue;
-    begin = std::min(begin, sweep.begin());
-    end = std::max(end, sweep.end());
   }
   // Boxes of bodies that stand still hold their own margins alone.
   const double half = 0.5 * detail::marginOfBox(margin) * (1 + 0x1p-40);
@@ -175,7 +195,8 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
                               const ImpactOptions& options, const Parallel& parallel, const Query& query) {
   detail::checkOptions(options);
   const std::vector<std::uint32_t> motion_of = motionsOf(state, motions, name);
-  const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, options.margin);
+  const Clock clock = clockOf(motions);
+  const std::vector<BodyPair> pairs = pairsNear(state, motions, motion_of, clock, options.margin);
   // One body of a pair may stand still while the other one moves.
   const auto movingBeside = [&](Slot slot, Slot other) -> Moving {
     const std::uint32_t own = motion_of[slot];
@@ -187,7 +208,10 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
     const Slot first = Scene::indexOf(pairs[i].first), second = Scene::indexOf(pairs[i].second);
     const auto &p = state.bodies[first], &q = state.bodies[second];
     const ImpactOptions both = withMargin(withMargin(options, p.options.margin), q.options.margin);
-    answers[i] = query(p.polygon, movingBeside(first, second), q.polygon, movingBeside(second, first), both);
+    Moving of_p = movingBeside(first, second);
+    const Moving of_q = movingBeside(second, first);
+    restByClock(of_p, of_q, clock);
+    answers[i] = query(p.polygon, of_p, q.polygon, of_q, both);
   });
   std::vector<Found> all;
   for (std::size_t i = 0; i < pairs.size(); ++i) add(pairs[i], answers[i], all);
@@ -195,30 +219,6 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
                    [](const Found& p, const Found& q) { return impactOf(p).time < impactOf(q).time; });
   return all;
 }
-
-/// From the first begin to the last end of trajectories.
-class Clock {
- public:
-  explicit Clock(const std::vector<BodyTrajectory>& trajectories) {
-    for (const BodyTrajectory& moving : trajectories) {
-      if (moving.trajectory.rests()) continue;
-      begin_ = std::min(begin_, moving.trajectory.begin());
-      end_ = std::max(end_, moving.trajectory.end());
-    }
-    if (!trajectories.empty() && !(begin_ < end_))
-      detail::refuse("trajectories", "all bodies always rest", "ask collisions() or nearest()");
-  }
-
-  /// Two that always rest have no time of their own: query(first, second), where the first one rests by the clock.
-  template <typename Query>
-  auto beside(const Trajectory& first, const Trajectory& second, Query query) const {
-    if (!first.rests() || !second.rests()) return query(first, second);
-    return query(Trajectory({{begin_, end_, Motion::still(first.at(begin_))}}), second);
-  }
-
- private:
-  double begin_ = kInfinity, end_ = -kInfinity;
-};
 
 }  // namespace
 
@@ -235,26 +235,19 @@ std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, c
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options,
                                        const Parallel& parallel) const {
-  const Clock clock(trajectories);
   return queryPairs<PairImpact, std::optional<Impact>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [&](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
-        return clock.beside(moving_p.trajectory, moving_q.trajectory,
-                            [&](const Trajectory& of_p, const Trajectory& of_q) {
-                              return detail::timeOfImpact(p, of_p, q, of_q, both);
-                            });
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return detail::timeOfImpact(p, moving_p.trajectory, q, moving_q.trajectory, both);
       });
 }
 
 std::vector<PairConflict> Scene::conflicts(const std::vector<BodyTrajectory>& trajectories,
                                            const ImpactOptions& options, const Parallel& parallel) const {
-  const Clock clock(trajectories);
   return queryPairs<PairConflict, std::vector<Conflict>>(
       trajectories, "trajectories", impl_->settled(), options, parallel,
-      [&](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
-        return clock.beside(
-            moving_p.trajectory, moving_q.trajectory,
-            [&](const Trajectory& of_p, const Trajectory& of_q) { return detail::conflicts(p, of_p, q, of_q, both); });
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return detail::conflicts(p, moving_p.trajectory, q, moving_q.trajectory, both);
       });
 }
 

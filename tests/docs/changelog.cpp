@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the right column of CHANGELOG's table says, compiled.
+// The right column of CHANGELOG's table compiles.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -63,7 +63,7 @@ TEST(PoseCheck, NamesThePoseAndTheField) {
   }
 }
 
-/// What a caller wrote in braces keeps its meaning.
+/// Options in braces keep their meaning.
 TEST(Options, GrowOnlyAtTheirEnd) {
   const auto allowed = Touching::Allowed;
   const CollideOptions collide{1, 2, allowed};

@@ -58,9 +58,9 @@ MUTATIONS = [
     ("src/impact/vertex_paths.h", "return sides[0] * sides[1] < 0 && sides[2] * sides[3] < 0;", "return sides[0] * sides[1] < 0;", "lasting contact: an edge crosses the other one's line beside it"),
     ("src/impact/vertex_paths.h", "const double off = rounding_ + 0.25 * (path.chord_error - pull_.sparedAlong(-edge.uy, edge.ux));", "const double off = rounding_;", "lasting contact: straight paths on either side"),
     ("src/depth/least_distance.cpp", "ImpactOptions closer{std::min(margin + options_.margin, kLargest), 0};", "ImpactOptions closer{std::min(margin, kLargest), 0};", "least distance: without its margin"),
-    ("src/depth/least_distance.cpp", "if (body->vanishes()) vanish = std::min(vanish, body->end());", "", "least distance: of bodies that have vanished"),
+    ("src/depth/trajectory.cpp", "if (body->vanishes()) vanish = std::min(vanish, body->end());", "", "trajectories: of bodies that have vanished"),
     ("src/impact/cast_ray.cpp", "< 0x1p1020 ? 1 : 0x1p-4", "< 0x1p1020 ? 1 : 1.0", "ray with a margin: longer than a double"),
     ("src/depth/least_distance.cpp", "if (step == 0) least_.distance = 0;", "", "least distance: of bodies that meet, but for rounding"),
-    ("src/depth/trajectory.cpp", "if (body->appears()) begin = std::max(begin, body->begin());", "", "trajectories: bodies that appear are there before"),
+    ("src/depth/trajectory.cpp", "if (body->appears()) appear = std::max(appear, body->begin());", "", "trajectories: bodies that appear are there before"),
     ("src/impact/convex_slide.cpp", "nearestOnSegment(-start, Vec2::Zero(), Vec2(path[0], path[1]))", "Vec2(0, 0)", "slides: discs at the start only"),
 ]
