@@ -71,14 +71,14 @@ Points pointsFrom(const py::object& given, const std::string& name) {
   return {verticesFrom(array, name), false};
 }
 
-Poses posesFrom(const py::object& given, const std::string& name) {
+Poses posesFrom(const py::object& given, const std::string& name, bool three) {
   if (py::isinstance<Poses>(given)) return given.cast<Poses>();
   if ((py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) && py::len(given) > 0 &&
       py::isinstance<Poses>(given[py::int_(0)]))
     return joined(given, name);
   const Array array = numbersFrom(given, name);
-  if (array.ndim() == 2 && array.shape(0) == 3 && array.shape(1) == 3 && array.at(2, 0) == 0 && array.at(2, 1) == 0 &&
-      array.at(2, 2) == 1)
+  if (!three && array.ndim() == 2 && array.shape(0) == 3 && array.shape(1) == 3 && array.at(2, 0) == 0 &&
+      array.at(2, 1) == 0 && array.at(2, 2) == 1)
     throw std::invalid_argument(name + ": it may be a matrix or three poses; give Poses.from_matrices(matrix) or " +
                                 "Poses(three)");
   if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 3)

@@ -36,8 +36,8 @@ std::vector<tricover::Vec2> verticesFrom(const py::object& given, const std::str
 Points pointsFrom(const py::object& given, const std::string& name);                         ///< (2,) or (n, 2)
 
 /// Poses, some of them in a list, or an array of x, y and heading: (3,) or (n, 3). One array may be both three poses
-/// and a matrix: it is refused.
-Poses posesFrom(const py::object& given, const std::string& name);
+/// and a matrix: it is refused unless `three` says that it is three poses.
+Poses posesFrom(const py::object& given, const std::string& name, bool three = false);
 Poses posesFromMatrices(const py::object& given);  ///< (3, 3) or (n, 3, 3)
 tricover::Pose onePose(const py::object& given, const std::string& name);
 inline Poses justOne(const tricover::Pose& pose) { return {{{pose}, true}}; }

@@ -13,7 +13,7 @@ py::object attributeOf(const char* module, const char* name) {
 
 }  // namespace
 
-py::object resultClass(const char* name) { return attributeOf("tricover._results", name); }
+py::object resultClass(const char* name) { return attributeOf("tricover", name); }
 py::object enumClass(const char* name) { return attributeOf("tricover._enums", name); }
 
 int memberOf(py::handle given, const char* enumeration) {

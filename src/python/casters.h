@@ -28,7 +28,7 @@ struct Shape {
   operator const tricover::Polygon&() const { return *polygon; }
 };
 
-/// A class of tricover._results or an enumeration of tricover._enums.
+/// A class of tricover._results or _scene_results, or an enumeration of tricover._enums.
 py::object resultClass(const char* name);
 py::object enumClass(const char* name);
 /// The number of an enumeration's member.

@@ -12,9 +12,6 @@ install(CODE "
     elseif(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"^/usr/local/?$\")
       set(TRICOVER_PYTHON_TO lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages)
     endif()
-  endif()
-  if(NOT IS_ABSOLUTE \"\${TRICOVER_PYTHON_TO}\")
-    string(PREPEND TRICOVER_PYTHON_TO \"\${CMAKE_INSTALL_PREFIX}/\")
   endif()")
 install(DIRECTORY tricover DESTINATION "\${TRICOVER_PYTHON_TO}" FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
   PATTERN __pycache__ EXCLUDE)

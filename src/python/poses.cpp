@@ -74,7 +74,7 @@ Poses nearestRigid(const py::object& matrices) {
 
 void definePoses(py::module_& m) {
   py::class_<Poses>(m, "Poses", doc("Poses"))
-      .def(py::init([](const py::object& poses) { return posesFrom(poses, "poses"); }), py::arg("poses"),
+      .def(py::init([](const py::object& poses) { return posesFrom(poses, "poses", true); }), py::arg("poses"),
            doc("Poses.__init__"))
       .def_static("from_matrices", &checked, py::arg("matrices"), doc("Poses.from_matrices"))
       .def_static("nearest_rigid", &nearestRigid, py::arg("matrices"), doc("Poses.nearest_rigid"))

@@ -155,7 +155,7 @@ void defineMaking(py::class_<Trajectory>& trajectory) {
           doc("Trajectory.vanishing"))
       .def("__reduce__",
            [](const py::object& self) {
-             return py::make_tuple(py::module_::import("tricover._tricover").attr("_trajectory"), stateOf(self));
+             return py::make_tuple(py::module_::import("tricover").attr("_trajectory"), stateOf(self));
            })
       .def("__eq__", &same, py::is_operator())
       .def(

@@ -16,7 +16,7 @@ RACK = tc.Polygon([(0, 0), (6, 0), (6, 0.8), (0, 0.8)])
 hall = tc.Scene()
 walls = hall.add(tc.Polygon([[(0, 0), (14, 0), (14, 10), (0, 10)], [(0.2, 0.2), (13.8, 0.2), (13.8, 9.8), (0.2, 9.8)]]), (0, 0, 0))
 racks = [hall.add(RACK, (x, y, 0.05)) for y in (2, 4.5, 7) for x in (0.8, 7.2)]
-column = hall.add(tc.point((0, 0)), (7, 6.2, 0), margin=0.3)  # a disc
+column = hall.add(tc.Polygon.point((0, 0)), (7, 6.2, 0), margin=0.3)  # a disc
 
 # 200 x 140 places at once, on all processors.
 x, y = np.meshgrid(np.linspace(0, 14, 200), np.linspace(0, 10, 140))
@@ -30,7 +30,7 @@ print(f"{gap.distance:.3f} m from body {body}, between {gap.point_a.round(3)} an
 way = tc.Motion.spline(begin=(1, 1.2, 0), begin_velocity=(6, 0, 0), end=(8, 9.2, 0.5), end_velocity=(0, 9, 0))
 hit = hall.first_impact(ROBOT, way)
 if hit:
-    print(f"meets body {hit[0]} at time {hit[1].time:.4f}, at {hit[1].point.round(3)}")
+    print(f"meets body {hit.body} at time {hit.impact.time:.4f}, at {hit.impact.point.round(3)}")
 
 overlap = tc.penetration(RACK, (0, 0, 0), ROBOT, (3, 0.9, 0.3))
 print(f"{overlap.depth:.3f} m deep, out by {overlap.translation.round(3)}")
@@ -52,10 +52,10 @@ if picture:
     plt.pcolormesh(x, y, is_free, cmap="Greens", vmax=3)
     for rack in racks:
         draw(hall.polygon(rack), hall.pose(rack), color="#57534e")
-    for t in np.linspace(0, hit[1].time if hit else 1, 9):
+    for t in np.linspace(0, hit.impact.time if hit else 1, 9):
         draw(ROBOT, way.at(t), fill=False, edgecolor="#1d4ed8")
     if hit:
-        plt.plot(*hit[1].point, "o", color="#dc2626")
+        plt.plot(*hit.impact.point, "o", color="#dc2626")
     plt.axis("equal")
     try:
         plt.savefig(picture)

@@ -21,7 +21,14 @@ matrix have one shape. An array (3, 3) whose last row is 0, 0, 1 may be either, 
 from . import paper
 from ._enums import *
 from ._results import *
+from ._scene_results import *
 from ._tricover import *
 from ._tricover import __version__
+
+
+def _trajectory(*state):
+    """A Trajectory of its pickle, which names this function: those of the compiled module can't be named."""
+    return _tricover._trajectory(*state)
+
 
 __all__ = [name for name in globals() if not name.startswith("_") and name != "paper"] + ["__version__", "paper"]

@@ -4,9 +4,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._enums import ContactDetail, FillRule, Location, Simplify, Touching
-from ._results import (BodyDistance, BodyImpact, BodyOptions, BodyPair, BodyRayHit, BodyRayInterval, Body, Conflict, Contact,
-                       Crossing, Depth, Distance, Excess, Exit, Impact, LeastDistance, PairConflict, PairImpact, Penetration,
-                       RayHit, RayInterval, SignedDistance)
+from ._results import (Body, Contact, Crossing, Conflict, Depth, Distance, Excess, Exit, Impact, LeastDistance, Penetration, RayHit,
+                       RayInterval, SignedDistance)
+from ._scene_results import (BodyDistance, BodyImpact, BodyOptions, BodyPair, BodyRayHit, BodyRayInterval, PairConflict,
+                             PairImpact)
 
 PosesLike = Union[Poses, Sequence[Poses], ArrayLike]
 Answers = Union[bool, NDArray[np.bool_]]
