@@ -16,7 +16,7 @@ import sys
 
 # First to last; rooms that share a line don't see each other.
 CORE = [["numbers"], ["polygon"], ["hierarchy"], ["pair"], ["convex"], ["overlay"], ["distance", "impact"], ["penetration"],
-        ["contact", "paper"], ["depth"], ["scene"], ["drawing", "io"]]
+        ["contact", "paper"], ["depth"], ["scene"], ["drawing", "io"], ["python"]]
 # Public headers by the room that defines their functions. All others define none: types, options and results.
 PUBLIC = {
     "numbers": ["motion", "pose", "trajectory"],

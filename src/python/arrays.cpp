@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "arrays.h"
+#include "python/arrays.h"
 
 #include <algorithm>
 #include <stdexcept>

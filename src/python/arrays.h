@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "casters.h"
+#include "python/casters.h"
 
 namespace tricover_python {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "casters.h"
+#include "python/casters.h"
 
 namespace tricover_python {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "ways.h"
+#include "python/ways.h"
 
 namespace tricover_python {
 namespace {

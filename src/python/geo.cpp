@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // __geo_interface__, in and out, by way of tricover._geo.
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When two polygons meet on their way, of motions or of trajectories, one pair or many.
-#include "ways.h"
+#include "python/ways.h"
 
 namespace tricover_python {
 namespace {

@@ -12,9 +12,9 @@ install(CODE "
     elseif(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"^/usr/local/?$\")
       set(TRICOVER_PYTHON_TO lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages)
     endif()
-  endif()")
-install(DIRECTORY tricover DESTINATION "\${TRICOVER_PYTHON_TO}" FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
+  endif()" COMPONENT tricover_python)
+install(DIRECTORY tricover DESTINATION "\${TRICOVER_PYTHON_TO}" COMPONENT tricover_python FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
   PATTERN __pycache__ EXCLUDE)
-install(TARGETS tricover_python LIBRARY DESTINATION "\${TRICOVER_PYTHON_TO}/tricover")
+install(TARGETS tricover_python LIBRARY DESTINATION "\${TRICOVER_PYTHON_TO}/tricover" COMPONENT tricover_python)
 # A shared libtricover is found from there: three folders up is the prefix's lib.
 set_target_properties(tricover_python PROPERTIES INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

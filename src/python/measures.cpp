@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far, and how deep.
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tricover._tricover: what _tricover.pyi lists. tricover/__init__.py hands it on.
-#include "module.h"
+#include "python/module.h"
 
 PYBIND11_MODULE(_tricover, m) {
   using namespace tricover_python;

@@ -2,7 +2,7 @@
 // What each file defines of the module. Scene's functions stand in two files.
 #pragma once
 
-#include "results.h"
+#include "python/results.h"
 
 namespace tricover_python {
 

@@ -2,7 +2,7 @@
 // Yes or no, contacts, and rays.
 #include <pybind11/stl.h>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tricover.paper: the covering, the influence areas and Algorithm 3.
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

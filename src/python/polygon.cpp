@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

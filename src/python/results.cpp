@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "results.h"
+#include "python/results.h"
 
 namespace tricover_python {
 

@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "arrays.h"
-#include "threads.h"
+#include "python/arrays.h"
+#include "python/threads.h"
 
 namespace tricover_python {
 

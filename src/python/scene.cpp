@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 

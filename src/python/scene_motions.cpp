@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "scene_filter.h"
-#include "ways.h"
+#include "python/scene_filter.h"
+#include "python/ways.h"
 
 namespace tricover_python {
 namespace {

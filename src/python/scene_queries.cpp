@@ -2,7 +2,7 @@
 // What a polygon under a pose, or many, or a ray, meets in a Scene.
 #include <pybind11/stl.h>
 
-#include "scene_filter.h"
+#include "python/scene_filter.h"
 
 namespace tricover_python {
 namespace {

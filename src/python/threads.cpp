@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "threads.h"
+#include "python/threads.h"
 
 #include <atomic>
 #include <exception>

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "ways.h"
+#include "python/ways.h"
 
 namespace tricover_python {
 namespace {

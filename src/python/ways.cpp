@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ways.h"
+#include "python/ways.h"
 
 namespace tricover_python {
 namespace {

@@ -2,7 +2,7 @@
 // Motions and trajectories as operands of queries.
 #pragma once
 
-#include "module.h"
+#include "python/module.h"
 
 namespace tricover_python {
 

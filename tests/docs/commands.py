@@ -20,7 +20,7 @@ PACKAGES = {  # of what CMake looks for
     "OCTOMAP_LIBRARY": "libfcl-dev", "OCTOMATH_LIBRARY": "libfcl-dev", "Doxygen": "doxygen", "PkgConfig": "pkg-config",
     "benchmark": "libbenchmark-dev", "GEOS": "libgeos++-dev", "box2d": "libbox2d-dev", "Boost": "libboost-dev"}
 OPTIONS = (  # which option builds a folder: the first that fits
-    ("tests/examples/python", "PYTHON"), ("tests/examples", "EXAMPLES"), ("fcl_adapter/examples", "EXAMPLES"),
+    ("src/python", "PYTHON"), ("tests/python", "PYTHON"), ("tests/examples", "EXAMPLES"), ("fcl_adapter/examples", "EXAMPLES"),
     ("tests", "TESTS"), ("src/docs.cmake", "TESTS"), ("src/io", "IO"), ("fcl_adapter", "FCL"), ("bench", "BENCH"))
 LOOKS_FOR = re.compile(r"^\s*(?:find_package|find_library)\(([\w+-]+)", re.MULTILINE)
 ROW = re.compile(r"^\| `TRICOVER_BUILD_(\w+)`.*\| `([^`]*)` \|$", re.MULTILINE)
