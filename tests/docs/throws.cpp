@@ -19,6 +19,7 @@ const Polygon square = Polygon::box(2, 2);
 const Polygon outside = square.complement();
 const Vec2 p = {0, 0}, q = {5, 0}, bad_point = {0, kInfinity};
 const Touching no_touching = static_cast<Touching>(7);
+const ContactDetail no_detail = static_cast<ContactDetail>(7);
 const Motion still = Motion::still(here), bad_motion = {off}, fast = Motion::translation(here, {kInfinity, 0});
 const Trajectory path({{0, 1, still}}), later({{2, 3, still}});
 
@@ -62,7 +63,6 @@ TEST(Throws, Pairs) {
 }
 
 TEST(Throws, PairsOfOtherValues) {
-  const ContactDetail no_detail = static_cast<ContactDetail>(7);
   const Pose apart = poseAt(9, 0), within = here;
   THROWS(collide.h, collide, std::invalid_argument, collide(square, here, square, here, {0, 0, no_touching}));
   THROWS(paper.h, collide, std::invalid_argument, paper::collide(square, here, square, here, {0, 0, no_touching}));
@@ -284,18 +284,26 @@ TEST(Throws, Bodies) {
   THROWS(scene.h, Scene::polygon, std::out_of_range, scene.polygon(none));
   THROWS(scene.h, Scene::pose, std::out_of_range, scene.pose(none));
   THROWS(scene.h, Scene::options, std::out_of_range, scene.options(none));
+  THROWS(scene.h, Scene::setIgnored, std::out_of_range, scene.setIgnored(body, none));
+  THROWS(scene.h, Scene::setIgnored, std::invalid_argument, scene.setIgnored(body, body));
+  THROWS(scene.h, Scene::isIgnored, std::out_of_range, scene.isIgnored(none, body));
+  scene.add(square, here);
+  THROWS(scene.h, Scene::contacts, std::invalid_argument, scene.contacts(no_detail));
 }
 
 TEST(Throws, SceneQueries) {
   Scene scene;
+  const auto goes_on = [](Scene::Body) { return true; };
   const Scene::Body body = scene.add(square, here), none = body + 1;
   for (const Pose& bad : {off, nowhere}) {
     THROWS(scene.h, Scene::collides, std::invalid_argument, scene.collides(square, bad));
     THROWS(scene.h, Scene::collides, std::invalid_argument, scene.collides(square, std::vector<Pose>{here, bad}));
     THROWS(scene.h, Scene::anyColliding, std::invalid_argument, scene.anyColliding(square, bad));
     THROWS(scene.h, Scene::colliding, std::invalid_argument, scene.colliding(square, bad));
+    THROWS(scene.h, Scene::visitColliding, std::invalid_argument, scene.visitColliding(square, bad, goes_on));
     THROWS(scene.h, Scene::covers, std::invalid_argument, scene.covers(square, bad));
     THROWS(scene.h, Scene::nearest, std::invalid_argument, scene.nearest(square, bad));
+    THROWS(scene.h, Scene::nearest, std::invalid_argument, scene.nearest(square, std::vector<Pose>{here, bad}));
     THROWS(scene.h, Scene::nearestWithin, std::invalid_argument, scene.nearestWithin(square, bad, 1));
     THROWS(scene.h, Scene::nearestK, std::invalid_argument, scene.nearestK(square, bad, 1, 1));
   }
@@ -334,15 +342,21 @@ TEST(Throws, SceneMotions) {
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, still}}, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, path}}, {0, bad}));
     THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, path}}, {bad}));
+    THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, still}}, {bad}));
+    THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, still, {bad}));
+    THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, path, {bad}));
   }
   THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, bad_motion));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, bad_motion}}));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts(twice));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts(twice_on));
   THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts(twice_on));
+  THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts(twice));
+  THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, bad_motion));
   THROWS(scene.h, Scene::impacts, std::out_of_range, scene.impacts(std::vector<BodyMotion>{{none, still}}));
   THROWS(scene.h, Scene::impacts, std::out_of_range, scene.impacts(std::vector<BodyTrajectory>{{none, path}}));
-  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts({{none, path}}));
+  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts(std::vector<BodyMotion>{{none, still}}));
+  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts(std::vector<BodyTrajectory>{{none, path}}));
 }
 
 }  // namespace
