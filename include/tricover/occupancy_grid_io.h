@@ -16,7 +16,7 @@ struct OccupancyMap {
   /// In a frame of its own, its lower left corner at (0, 0), in metres. Cells are 0 where the map is free, 100 where it
   /// is occupied, -1 where it says neither, and from 1 to 99 what a map in mode scale or raw says beside these.
   OccupancyGrid grid;
-  Pose pose;  ///< From that frame to the world: the file's origin, yaw included.
+  Pose pose = Pose::Identity();  ///< From that frame to the world: the file's origin, yaw included.
 };
 
 /// Reads a map of ROS's map_server: a YAML file and the PGM or PNG image that it names. nav2 and map_saver write the
