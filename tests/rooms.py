@@ -30,7 +30,7 @@ PUBLIC = {
     "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact"],
     "scene": ["scene"],
     "drawing": ["svg"],
-    "io": ["occupancy_grid_io"],
+    "io": ["occupancy_grid_io", "rasterize"],
 }
 TYPES = ["collide_options", "export", "impact", "location", "ray_hit", "touching", "tricover", "version"]
 ADAPTER = [["shape"], ["shadow"], ["queries"], ["broadphase", "entry"]]

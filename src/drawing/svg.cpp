@@ -13,6 +13,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "numbers/errors.h"
+#include "numbers/whole_file.h"
 #include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
 #include "tricover/paper.h"
@@ -301,5 +302,7 @@ std::string SvgDrawing::str() const {
     svg += element.head + (element.px > 0 ? number(element.px * px) : "") + element.tail + "\n";
   return svg + "</g>\n</svg>\n";
 }
+
+void SvgDrawing::save(const std::string& path) const { detail::writeWhole(path, str()); }
 
 }  // namespace tricover

@@ -1,7 +1,12 @@
-# tricover::io, the only code that sees yaml-cpp.
+# tricover::io, the only code that sees yaml-cpp and libpng.
 find_package(yaml-cpp QUIET)
 if(NOT yaml-cpp_FOUND)
   message(FATAL_ERROR "tricover::io needs yaml-cpp (Debian and Ubuntu: libyaml-cpp-dev), which wasn't found. Set "
+    "CMAKE_PREFIX_PATH to where it is, or leave out TRICOVER_BUILD_IO, _TESTS and _PYTHON.")
+endif()
+find_package(PNG QUIET)
+if(NOT PNG_FOUND)
+  message(FATAL_ERROR "tricover::io needs libpng (Debian and Ubuntu: libpng-dev), which wasn't found. Set "
     "CMAKE_PREFIX_PATH to where it is, or leave out TRICOVER_BUILD_IO, _TESTS and _PYTHON.")
 endif()
 set(TRICOVER_YAML_CPP yaml-cpp)
@@ -9,10 +14,16 @@ if(TARGET yaml-cpp::yaml-cpp)  # since 0.8
   set(TRICOVER_YAML_CPP yaml-cpp::yaml-cpp)
 endif()
 
-add_library(tricover_io src/io/occupancy_grid_io.cpp)
+add_library(tricover_io
+  src/io/map_fields.cpp
+  src/io/map_files.cpp
+  src/io/occupancy_grid_io.cpp
+  src/io/pgm.cpp
+  src/io/png.cpp
+  src/io/rasterize.cpp)
 add_library(tricover::io ALIAS tricover_io)
 target_include_directories(tricover_io PRIVATE src)
-target_link_libraries(tricover_io PUBLIC tricover PRIVATE ${TRICOVER_YAML_CPP} $<BUILD_INTERFACE:tricover_warnings>)
+target_link_libraries(tricover_io PUBLIC tricover PRIVATE ${TRICOVER_YAML_CPP} PNG::PNG $<BUILD_INTERFACE:tricover_warnings>)
 set_target_properties(tricover_io PROPERTIES
   EXPORT_NAME io POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET ${TRICOVER_VISIBILITY}
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

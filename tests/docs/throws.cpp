@@ -8,6 +8,7 @@
 
 #include "tricover/occupancy_grid_io.h"
 #include "tricover/paper.h"
+#include "tricover/rasterize.h"
 #include "tricover/tricover.h"
 
 namespace tricover {
@@ -216,6 +217,21 @@ TEST(Throws, PosesAndMaps) {
   THROWS(outline.h, outline, std::invalid_argument, outline(fits, IsOccupied()));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap("none.yaml"));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap(__FILE__));
+  OccupancyMap mirrored{fits, here}, odd{{1, 1, {101}}, here};
+  mirrored.pose.linear() << 1, 0, 0, -1;
+  for (const OccupancyMap& bad :
+       {OccupancyMap{too_few, here}, OccupancyMap{flat, here}, OccupancyMap{fits, off}, mirrored, odd})
+    THROWS(occupancy_grid_io.h, writeOccupancyMap, std::invalid_argument, writeOccupancyMap(bad, "none/map.yaml"));
+  THROWS(occupancy_grid_io.h, writeOccupancyMap, std::invalid_argument,
+         writeOccupancyMap({fits, here}, "none/map.yaml", "map.bmp"));
+  THROWS(occupancy_grid_io.h, writeOccupancyMap, std::runtime_error, writeOccupancyMap({fits, here}, "none/map.yaml"));
+  for (const OccupancyGrid& bad : {too_few, flat, far, too_fine}) {
+    THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, bad));
+    THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, OccupancyMap{bad, here}));
+  }
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, off, fits));
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, fits, {kNaN}));
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, OccupancyMap{fits, off}));
 }
 
 TEST(Throws, PointsAndRays) {
@@ -258,6 +274,9 @@ TEST(Throws, Drawings) {
   THROWS(svg.h, SvgDrawing, std::invalid_argument, drawing.impact(nowhere_at));
   THROWS(svg.h, SvgDrawing::boxes, std::invalid_argument, drawing.boxes(square, here, -1));
   THROWS(svg.h, SvgDrawing::str, std::logic_error, drawing.str());
+  THROWS(svg.h, SvgDrawing::save, std::logic_error, drawing.save("none/drawing.svg"));
+  drawing.text(p, "some");
+  THROWS(svg.h, SvgDrawing::save, std::runtime_error, drawing.save("none/drawing.svg"));
 }
 
 TEST(Throws, Bodies) {
