@@ -31,7 +31,7 @@ struct TimeInterval {
 ///
 /// A recording is of one scene. Times are by one clock of the caller's: seconds, say. Between two frames the page shows
 /// the earlier one. A body with a trajectory follows it in all frames. The page draws bodies within a pixel of where
-/// they are, up to 4096 times larger than all of them fit into 2000 pixels.
+/// they are, up to 1024 times larger than all of them fit into 2000 pixels.
 ///
 /// What is drawn beside the bodies is shown for a time interval; without one, as long as the last frame is. Numbers are
 /// written the same in every locale, and equal recordings make equal files. A file takes about 16 bytes for each frame
