@@ -46,11 +46,11 @@ function play(on) {
   lastTick = performance.now();
   byId("symbol").setAttribute("d", isPlaying ? "M3 2h4v12H3zM9 2h4v12H9z" : "M4 2l10 6-10 6z");
   byId("play").setAttribute("aria-label", isPlaying ? "Pause" : "Play");
-  if (!isPlaying) remember();
+  if (!isPlaying) keepInAddress();
   redraw();
 }
 /// Puts the time into the page's address, where that is allowed: a link to this moment.
-function remember() {
+function keepInAddress() {
   clearTimeout(hashTimer);
   hashTimer = setTimeout(() => {
     try { history.replaceState(null, "", "#t=" + state.time); } catch (error) { /* a frame without an address */ }
@@ -58,7 +58,7 @@ function remember() {
 }
 function seek(time) {
   state.time = Math.min(end, Math.max(begin, time));
-  if (!isPlaying) remember();
+  if (!isPlaying) keepInAddress();
   redraw();
 }
 function readAddress() {
