@@ -29,7 +29,7 @@ PUBLIC = {
     "paper": ["paper"],
     "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact"],
     "scene": ["scene"],
-    "drawing": ["svg"],
+    "drawing": ["recording", "svg"],
     "io": ["occupancy_grid_io", "rasterize"],
 }
 TYPES = ["collide_options", "export", "impact", "location", "ray_hit", "touching", "tricover", "version"]

@@ -19,6 +19,7 @@
 #include "tricover/pose.h"
 #include "tricover/prepare.h"
 #include "tricover/ray.h"
+#include "tricover/recording.h"
 #include "tricover/scene.h"
 #include "tricover/signed_distance.h"
 #include "tricover/svg.h"

@@ -378,5 +378,32 @@ TEST(Throws, SceneMotions) {
   THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts(std::vector<BodyTrajectory>{{none, path}}));
 }
 
+TEST(Throws, Recordings) {
+  Scene scene, other;
+  const Scene::Body body = scene.add(square, here);
+  other.add(Polygon::box(1, 1), here);
+  SceneRecording recording;
+  THROWS(recording.h, SceneRecording::str, std::logic_error, recording.str());
+  THROWS(recording.h, SceneRecording::save, std::logic_error, recording.save("nowhere.html"));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.text(p, "no frame yet"));
+  THROWS(recording.h, SceneRecording::frame, std::out_of_range, recording.frame(0, scene, {{body, body + 9}}));
+  recording.frame(0, scene);
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.frame(kNaN, scene));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.ray(p, bad_point));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.text(p, "", TimeInterval{2, 1}));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.nearest(DistanceResult{kInfinity, p, q, 0, 0}));
+  THROWS(recording.h, SceneRecording::frame, std::invalid_argument, recording.frame(0, scene));
+  THROWS(recording.h, SceneRecording::frame, std::invalid_argument, recording.frame(1, other));
+  THROWS(recording.h, SceneRecording::trajectories, std::invalid_argument, recording.trajectories(other, {}));
+  THROWS(recording.h, SceneRecording::trajectories, std::invalid_argument,
+         recording.trajectories(scene, {{body, path}, {body, path}}));
+  THROWS(recording.h, SceneRecording::trajectories, std::out_of_range,
+         recording.trajectories(scene, {{body + 9, path}}));
+  THROWS(recording.h, SceneRecording::name, std::out_of_range, recording.name(body + 9, "none"));
+  THROWS(recording.h, SceneRecording::conflicts, std::out_of_range, recording.conflicts({{{body, body + 9}, {}}}));
+  THROWS(recording.h, SceneRecording::impacts, std::out_of_range, recording.impacts({{{body, body + 9}, {}}}));
+  THROWS(recording.h, SceneRecording::save, std::runtime_error, recording.save("/no/such/folder/page.html"));
+}
+
 }  // namespace
 }  // namespace tricover
