@@ -1,7 +1,12 @@
-# tricover::io, the only code that sees yaml-cpp.
+# tricover::io, the only code that sees yaml-cpp and nlohmann-json.
 find_package(yaml-cpp QUIET)
+find_package(nlohmann_json 3.10 QUIET)
 if(NOT yaml-cpp_FOUND)
   message(FATAL_ERROR "tricover::io needs yaml-cpp (Debian and Ubuntu: libyaml-cpp-dev), which wasn't found. Set "
+    "CMAKE_PREFIX_PATH to where it is, or leave out TRICOVER_BUILD_IO, _TESTS and _PYTHON.")
+endif()
+if(NOT nlohmann_json_FOUND)
+  message(FATAL_ERROR "tricover::io needs nlohmann-json (Debian and Ubuntu: nlohmann-json3-dev), which wasn't found. Set "
     "CMAKE_PREFIX_PATH to where it is, or leave out TRICOVER_BUILD_IO, _TESTS and _PYTHON.")
 endif()
 set(TRICOVER_YAML_CPP yaml-cpp)
@@ -9,10 +14,16 @@ if(TARGET yaml-cpp::yaml-cpp)  # since 0.8
   set(TRICOVER_YAML_CPP yaml-cpp::yaml-cpp)
 endif()
 
-add_library(tricover_io src/io/occupancy_grid_io.cpp)
+add_library(tricover_io
+  src/io/geojson.cpp
+  src/io/occupancy_grid_io.cpp
+  src/io/parts.cpp
+  src/io/text_file.cpp
+  src/io/wkt.cpp)
 add_library(tricover::io ALIAS tricover_io)
 target_include_directories(tricover_io PRIVATE src)
-target_link_libraries(tricover_io PUBLIC tricover PRIVATE ${TRICOVER_YAML_CPP} $<BUILD_INTERFACE:tricover_warnings>)
+target_link_libraries(tricover_io PUBLIC tricover PRIVATE ${TRICOVER_YAML_CPP}
+  $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:tricover_warnings>)
 set_target_properties(tricover_io PROPERTIES
   EXPORT_NAME io POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET ${TRICOVER_VISIBILITY}
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
