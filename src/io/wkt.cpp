@@ -30,14 +30,18 @@ class Reader {
       expect(';', "after the SRID");
       word = nextWord();
     }
-    const bool is_multi = is(word, "MULTIPOLYGON");
-    if (!is_multi && !is(word, "POLYGON"))
+    // The dimensions may be a word of their own.
+    for (const char* suffix : {"ZM", "Z", "M"}) {
+      const std::size_t before = word.size() - std::min(word.size(), std::string_view(suffix).size());
+      if (is(word.substr(before), suffix)) word = word.substr(0, before);
+    }
+    is_multi_ = is(word, "MULTIPOLYGON");
+    if (!is_multi_ && !is(word, "POLYGON"))
       refuse(word.empty() ? "it doesn't begin with a word" : "it is a " + std::string(word.substr(0, 40)),
              "POLYGON and MULTIPOLYGON are read");
     readDimensions();
     std::vector<detail::Part> parts;
-    is_multi_ = is_multi;
-    if (!is_multi) {
+    if (!is_multi_) {
       parts.emplace_back();
       readPart(parts.back());
     } else {
@@ -129,10 +133,10 @@ class Reader {
   }
 
   Vec2 position() {
-    Vec2 at(number(), number());
+    const double x = number(), y = number();
     for (int beyond = 0; beyond < 2; ++beyond)
-      if (const char next = peek(); next != ',' && next != ')') number();
-    return at;
+      if (const char next = peek(); next != ',' && next != ')' && next != '\0') number();
+    return {x, y};
   }
   double number() {
     skipSpace();
