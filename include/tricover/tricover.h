@@ -26,6 +26,7 @@
 #include "tricover/time_of_impact.h"
 #include "tricover/touching.h"
 #include "tricover/trajectory.h"
+#include "tricover/validity.h"
 #include "tricover/version.h"
 
 /// Exact collision detection between 2D polygons: a shape, queries about two of them under their poses, and what the
