@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake libeigen3-dev libfcl-dev libccd-dev libgeos++-dev libbox2d-dev \
-  libboost-dev libtbb-dev libgmp-dev libbenchmark-dev libyaml-cpp-dev gnuplot-nox ninja-build
+  libboost-dev libtbb-dev libgmp-dev libbenchmark-dev libyaml-cpp-dev libpng-dev nlohmann-json3-dev gnuplot-nox ninja-build
 
 # Ninja compiles across targets: the tables of FCL's functions, two minutes each, beside all the rest.
 build=build/bench-ninja

@@ -22,6 +22,7 @@ PUBLIC = {
     "numbers": ["motion", "pose", "trajectory"],
     "polygon": ["outline", "pair_cache", "polygon"],
     "hierarchy": ["locate"],
+    "overlay": ["validity"],
     "distance": ["distance"],
     "impact": ["ray"],
     "penetration": ["penetration"],
@@ -29,8 +30,8 @@ PUBLIC = {
     "paper": ["paper"],
     "depth": ["collide", "conflicts", "covers", "depth", "least_distance", "prepare", "signed_distance", "time_of_impact"],
     "scene": ["scene"],
-    "drawing": ["svg"],
-    "io": ["occupancy_grid_io"],
+    "drawing": ["recording", "svg"],
+    "io": ["geojson", "occupancy_grid_io", "rasterize", "wkt"],
 }
 TYPES = ["collide_options", "export", "impact", "location", "ray_hit", "touching", "tricover", "version"]
 ADAPTER = [["shape"], ["shadow"], ["queries"], ["broadphase", "entry"]]

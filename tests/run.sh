@@ -7,7 +7,7 @@ set -eu
 cd "$(dirname "$0")/.."
 bash .ci/install build-essential cmake pkg-config libeigen3-dev libfcl-dev libccd-dev libgtest-dev libgmp-dev \
   libompl-dev libtbb-dev libopenmpi-dev openmpi-bin doxygen python3 \
-  python3-dev python3-numpy pybind11-dev libyaml-cpp-dev
+  python3-dev python3-numpy pybind11-dev libyaml-cpp-dev libpng-dev nlohmann-json3-dev
 
 # Ninja compiles across targets and ccache across runs; neither is needed.
 generator=make

@@ -10,8 +10,8 @@ namespace tricover {
 
 /// The options of leastDistance().
 struct LeastDistanceOptions {
-  double margin = 0;    ///< A world length, at least 0 and finite, which is subtracted from the distance.
-  double error = 1e-6;  ///< A world length, positive: how much more than the least one the distance may be.
+  double margin = 0;             ///< A world length, at least 0 and finite, which is subtracted from the distance.
+  double absolute_error = 1e-6;  ///< A world length, positive: how much more than the least one the distance may be.
 };
 
 /// The least distance of two moving bodies, in the world.

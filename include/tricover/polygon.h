@@ -31,9 +31,12 @@ enum class Simplify {
   Outwards,  ///< Only outside: the simplified region covers the original.
 };
 
+class Polygon;
+
 namespace detail {
 struct PolygonData;
-}
+const PolygonData& dataOf(const Polygon& polygon);
+}  // namespace detail
 
 /// A closed planar region: every point that the fill rule calls inside, and every point of an edge.
 ///
@@ -182,9 +185,8 @@ class TRICOVER_EXPORT Polygon {
   /// \snippet polygon.cpp complement
   Polygon complement() const;
 
-  const detail::PolygonData& data() const { return *data_; }  ///< For the kernel.
-
  private:
+  friend const detail::PolygonData& detail::dataOf(const Polygon& polygon);
   enum class Adopt { Data };
   Polygon(Adopt, const detail::PolygonData* data) : data_(data) {}
   Polygon withRings(const std::vector<Ring>& rings) const;  ///< With the same fill.

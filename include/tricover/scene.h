@@ -11,9 +11,11 @@
 
 #include "tricover/collide.h"
 #include "tricover/conflicts.h"
+#include "tricover/contacts.h"
 #include "tricover/covers.h"
 #include "tricover/distance.h"
 #include "tricover/export.h"
+#include "tricover/least_distance.h"
 #include "tricover/polygon.h"
 #include "tricover/pose.h"
 #include "tricover/ray.h"
@@ -29,7 +31,8 @@ namespace tricover {
 using Parallel = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
 /// A handle of a body in a Scene. It names that body until the body is removed, and never names another body. The low
-/// 32 bits are the body's index, Scene::indexOf(); the high bits count the bodies that have had the index before.
+/// 32 bits are the body's index, Scene::indexOf(); the high bits count the bodies that have had the index before. It
+/// depends on nothing but the calls of its scene: another scene may have a body of the same handle.
 using BodyHandle = std::uint64_t;
 
 /// All bits of a mask.
@@ -106,6 +109,12 @@ struct BodyDistance {
   DistanceResult result;  ///< a is the query's polygon, b the body.
 };
 
+/// The least distance between a query's moving polygon and a body.
+struct BodyLeastDistance {
+  BodyHandle body;      ///< The body.
+  LeastDistance least;  ///< a is the query's polygon, b the body.
+};
+
 /// The impact of a query's moving polygon on a body.
 struct BodyImpact {
   BodyHandle body;  ///< The body.
@@ -130,6 +139,12 @@ struct BodyMotion {
 struct BodyTrajectory {
   BodyHandle body;        ///< The body that moves.
   Trajectory trajectory;  ///< Replaces the body's pose.
+};
+
+/// A contact of two bodies.
+struct PairContact {
+  BodyPair pair;    ///< The two bodies.
+  Contact contact;  ///< a is pair.first, b is pair.second.
 };
 
 /// The impact of two bodies.
@@ -220,6 +235,16 @@ class TRICOVER_EXPORT Scene {
   /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene handles
   void setOptions(Body body, const BodyOptions& options);
+  /// Lets two bodies touch and overlap, as a gripper and its part, or no longer. While a pair is ignored, it is in no
+  /// result of collisions(), contacts(), impacts() and conflicts(). That ends when one of the bodies is removed.
+  /// \throws std::invalid_argument for a body and itself
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene ignored
+  void setIgnored(Body a, Body b, bool ignored = true);
+  /// Returns whether the pair is ignored.
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene ignored
+  bool isIgnored(Body a, Body b) const;
   /// Moves many bodies: the result is that of single moves in order, whatever `parallel` is. Moves none if a body or a
   /// pose is refused. If `parallel` itself throws, or memory runs out, some bodies may stay where they were.
   /// \throws std::invalid_argument for a pose that checkPose() refuses
@@ -261,6 +286,12 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene frames
   const std::vector<BodyPair>& ended() const;
 
+  /// Calls collisions() and returns all contacts of each pair in it, as tricover::contacts() returns them: by pairs,
+  /// then the deepest first. A margin of a pair, if it is positive, adds to the depths.
+  /// \throws std::invalid_argument as tricover::contacts() does
+  /// \snippet scene.cpp scene contacts
+  std::vector<PairContact> contacts(ContactDetail detail = ContactDetail::LocalDepth, const Parallel& parallel = {});
+
   /// Returns whether a polygon at a pose collides with a body that passes the filter.
   /// \throws std::invalid_argument as tricover::collide() does
   /// \snippet scene.cpp scene queries
@@ -281,6 +312,11 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::vector<Body> colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options = {},
                               const BodyFilter& filter = {}) const;
+  /// Calls visit(body) for each of them, in any order, until it returns false. That makes no list in a loop.
+  /// \throws std::invalid_argument as tricover::collide() does
+  /// \snippet scene.cpp scene queries
+  void visitColliding(const Polygon& polygon, const Pose& pose, const std::function<bool(Body)>& visit,
+                      const CollideOptions& options = {}, const BodyFilter& filter = {}) const;
   /// Returns whether the union of the bodies that pass the filter holds all of a posed polygon, as tricover::covers()
   /// says for one area: a vehicle across lanes that overlap or share a border. Exact, for overlapping rings and bodies
   /// alike.
@@ -305,17 +341,36 @@ class TRICOVER_EXPORT Scene {
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearest(const Polygon& polygon, const Pose& pose, const DistanceOptions& options = {},
                                       const BodyFilter& filter = {}) const;
+  /// Returns the same for many poses, in their order.
+  /// \throws std::invalid_argument as tricover::distance() does
+  /// \snippet scene.cpp parallel
+  std::vector<std::optional<BodyDistance>> nearest(const Polygon& polygon, const std::vector<Pose>& poses,
+                                                   const DistanceOptions& options = {}, const BodyFilter& filter = {},
+                                                   const Parallel& parallel = {}) const;
   /// Returns the same body if it is no farther away than `limit`.
   /// \throws std::invalid_argument as tricover::distanceWithin() does
   /// \snippet scene.cpp scene queries
   std::optional<BodyDistance> nearestWithin(const Polygon& polygon, const Pose& pose, double limit,
                                             const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
-  /// Returns the `count` nearest bodies no farther away than `limit`, or fewer if there are fewer, in the order of
+  /// Returns the `most` nearest bodies no farther away than `limit`, or fewer if there are fewer, in the order of
   /// distances, then handles.
   /// \throws std::invalid_argument as tricover::distanceWithin() does
   /// \snippet scene.cpp scene nearest
-  std::vector<BodyDistance> nearestK(const Polygon& polygon, const Pose& pose, std::size_t count, double limit,
+  std::vector<BodyDistance> nearestK(const Polygon& polygon, const Pose& pose, std::size_t most, double limit,
                                      const DistanceOptions& options = {}, const BodyFilter& filter = {}) const;
+  /// Returns the body that a moving polygon comes nearest to among those that pass the filter, and when. All bodies
+  /// rest. Equal distances: the lowest handle. LeastDistance::lower_bound holds for all of these bodies.
+  /// \throws std::invalid_argument as tricover::leastDistance() does
+  /// \snippet scene.cpp scene least distance
+  std::optional<BodyLeastDistance> leastDistance(const Polygon& polygon, const Motion& motion,
+                                                 const LeastDistanceOptions& options = {},
+                                                 const BodyFilter& filter = {}) const;
+  /// Returns the same along a trajectory, by its clock.
+  /// \throws std::invalid_argument as tricover::leastDistance() does
+  /// \snippet scene.cpp scene least distance
+  std::optional<BodyLeastDistance> leastDistance(const Polygon& polygon, const Trajectory& trajectory,
+                                                 const LeastDistanceOptions& options = {},
+                                                 const BodyFilter& filter = {}) const;
   /// Returns the body that a moving polygon meets first among those that pass the filter. All bodies rest. Equal times:
   /// the lowest handle.
   /// \throws std::invalid_argument as timeOfImpact() does
@@ -343,6 +398,12 @@ class TRICOVER_EXPORT Scene {
                                   const Parallel& parallel = {}) const;
   /// Returns all time intervals in which pairs meet, as tricover::conflicts() returns them for each pair. The earliest
   /// comes first, then the order is that of handles.
+  /// \throws std::invalid_argument as timeOfImpact() does, and for a body that is named twice
+  /// \throws std::out_of_range for a handle that names no body
+  /// \snippet scene.cpp scene
+  std::vector<PairConflict> conflicts(const std::vector<BodyMotion>& motions, const ImpactOptions& options = {},
+                                      const Parallel& parallel = {}) const;
+  /// Returns the same along trajectories, by their clock.
   /// \throws std::invalid_argument as timeOfImpact() does, and for a body that is named twice
   /// \throws std::out_of_range for a handle that names no body
   /// \snippet scene.cpp scene trajectories

@@ -65,6 +65,12 @@ class TRICOVER_EXPORT SvgDrawing {
   /// A whole SVG document.
   /// \throws std::logic_error while nothing is drawn
   std::string str() const;
+  /// Writes the document, str(), to a file. A file of that name is replaced once all of the new one is written. After
+  /// an error it is as before.
+  /// \throws std::logic_error while nothing is drawn
+  /// \throws std::runtime_error for a file that can't be written completely. The text has the path.
+  /// \snippet svg.cpp svg
+  void save(const std::string& path) const;
 
  private:
   void include(const Vec2& point, double around = 0);

@@ -62,7 +62,7 @@ class TRICOVER_EXPORT Trajectory {
   /// finite
   /// \snippet trajectory.cpp waypoints
   static Trajectory through(const std::vector<Waypoint>& waypoints, const Vec2& pivot = Vec2::Zero());
-  /// A cubic Hermite spline from knot to knot, as Motion::spline() says.
+  /// A cubic Hermite spline from knot to knot, as Motion::spline() says. It rests at the last one exactly.
   /// \throws std::invalid_argument for fewer than two, for times that don't increase, and as Motion::spline() does
   static Trajectory spline(const std::vector<TimedKnot>& knots, const Vec2& pivot = Vec2::Zero());
 

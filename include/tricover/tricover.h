@@ -19,12 +19,14 @@
 #include "tricover/pose.h"
 #include "tricover/prepare.h"
 #include "tricover/ray.h"
+#include "tricover/recording.h"
 #include "tricover/scene.h"
 #include "tricover/signed_distance.h"
 #include "tricover/svg.h"
 #include "tricover/time_of_impact.h"
 #include "tricover/touching.h"
 #include "tricover/trajectory.h"
+#include "tricover/validity.h"
 #include "tricover/version.h"
 
 /// Exact collision detection between 2D polygons: a shape, queries about two of them under their poses, and what the

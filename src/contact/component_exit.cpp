@@ -179,7 +179,7 @@ Exit ComponentExits::byNearestEdge(const OverlapComponent& component) const {
   const int inner = leftmostOf(component).edge[1] != kNoEdge ? 1 : 0, outer = 1 - inner;
   // Only the inner polygon is searched from, so that many components don't cost their number squared.
   const Polygon own_rings = ringsOf(component, inner);
-  const PolygonData &inside = own_rings.data(), &outside = polygonOf(pair_, outer);
+  const PolygonData &inside = dataOf(own_rings), &outside = polygonOf(pair_, outer);
   // Edges of the component's own rings are no way out of it, unless the component is all around a complement's hole.
   std::unordered_set<EdgePosition> own;
   for (const BoundaryPoint& point : component.points)

@@ -102,11 +102,11 @@ std::vector<Contact> contacts(const Polygon& a, const Pose& pose_a, const Polygo
   if (options.detail == ContactDetail::GlobalDepth) requireBounded(a, b);
   requireTouching(options.touching);
   const double defect = requireRigid(pose_a, pose_b);
-  if (options.touching != Touching::Collides &&
-      !regionsCollide(a.data(), pose_a, b.data(), pose_b, defect, nullptr, {options.margin, 0, options.touching}))
+  if (options.touching != Touching::Collides && !regionsCollide(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
+                                                                defect, nullptr, {options.margin, 0, options.touching}))
     return {};
   return inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) { return deepestContacts(operands..., defect, cache, options); },
       [](std::vector<Contact>& contacts) {
         for (Contact& contact : contacts) {

@@ -98,7 +98,7 @@ std::vector<Crossing> crossings(const Polygon& a, const Pose& pose_a, const Poly
   detail::requireTouching(options.touching);
   detail::requireRigid(pose_a, pose_b);
   return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) { return detail::crossingsInWorld(detail::PosedPair(operands...), options); },
       [](std::vector<Crossing>& crossings) {
         for (Crossing& crossing : crossings) std::swap(crossing.edge_a, crossing.edge_b);

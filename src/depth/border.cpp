@@ -43,15 +43,15 @@ const PolygonData* withBordersOnly(const PolygonData& polygon) {
 }
 
 Polygon bordersOf(const Polygon& polygon) {
-  const PolygonData* const region = withBordersOnly(polygon.data());
-  if (region == nullptr || region == &polygon.data() || region->fill.is_complement) return polygon;
+  const PolygonData* const region = withBordersOnly(dataOf(polygon));
+  if (region == nullptr || region == &dataOf(polygon) || region->fill.is_complement) return polygon;
   std::vector<Ring> rings;
   for (std::size_t ring = 0; ring < region->ringCount(); ++ring) rings.push_back(region->vertices(ring));
   return Polygon(rings);
 }
 
 Polygon wallsOf(const Polygon& polygon) {
-  const PolygonData* const region = withBordersOnly(polygon.data());
+  const PolygonData* const region = withBordersOnly(dataOf(polygon));
   std::vector<Ring> walls;
   if (region != nullptr)
     forEachEdge(*region, [&](EdgePosition edge) {

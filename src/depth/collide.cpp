@@ -31,7 +31,7 @@ namespace {
                                                    const CollideOptions& options) {
   checkOptions(options);
   const double defect = requireRigid(pose_a, pose_b);
-  return collideChecked(a.data(), pose_a, b.data(), pose_b, defect, cache, options);
+  return collideChecked(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b, defect, cache, options);
 }
 
 }  // namespace

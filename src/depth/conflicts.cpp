@@ -35,8 +35,8 @@ double mostSpeed(const MovingPair& pair) {
 MovingPair preparedPair(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                         double margin) {
   MovingPair pair = inKernelOrder(
-      a.data(), motion_a, b.data(), motion_b, [&](const auto&... operands) { return MovingPair(operands..., margin); },
-      [](MovingPair&) {});
+      detail::dataOf(a), motion_a, detail::dataOf(b), motion_b,
+      [&](const auto&... operands) { return MovingPair(operands..., margin); }, [](MovingPair&) {});
   pair.prepare();
   return pair;
 }

@@ -54,10 +54,10 @@ DeepestPoint excessOfUnion(const std::vector<PosedPair>& part_and_areas, double 
     return std::all_of(part_and_areas.begin(), part_and_areas.end(),
                        [&](const PosedPair& pair) { return excludes(pair, p); });
   };
-  const Overlap overlap(part, part_and_areas[0].pose_a, {edges.data(), pose, false, isExcluded});
+  const Overlap overlap(part, part_and_areas[0].pose_a, {detail::dataOf(edges), pose, false, isExcluded});
   DeepestPoint found = findDeepestPoint(overlap, false, 0, enough);
   if (found.nearest_edge != kNoEdge)
-    found.nearest_edge = positionIn(part_and_areas[0].b, edges.data(), found.nearest_edge);
+    found.nearest_edge = positionIn(part_and_areas[0].b, detail::dataOf(edges), found.nearest_edge);
   return found;
 }
 
@@ -73,7 +73,7 @@ bool covers(const Polygon& area, const Pose& pose_area, const Polygon& part, con
   detail::requireFiniteMargin(options.margin, "margin");
   detail::requireRigid(pose_area, "pose_area");
   detail::requireRigid(pose_part, "pose_part");
-  const detail::PosedPair pair(part.data(), pose_part, area.data(), pose_area);
+  const detail::PosedPair pair(detail::dataOf(part), pose_part, detail::dataOf(area), pose_area);
   return options.margin >= 0 ? detail::areaCovers(pair, options.margin)
                              : detail::unionCoversBut({pair}, options.margin);
 }

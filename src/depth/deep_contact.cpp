@@ -19,7 +19,7 @@ namespace {
 /// piece that lies within the region touches no edge.
 std::vector<Vec2> outwards(const Polygon& region, const Pose& pose, const Impact& touch, double precision) {
   if (touch.edge_a == -1) return {touch.normal};
-  const PolygonData& data = region.data();
+  const PolygonData& data = dataOf(region);
   const EdgePosition edge = data.edgePosition(touch.edge_a);
   std::vector<Vec2> normals;
   const auto add = [&](EdgePosition position) {
@@ -56,13 +56,13 @@ bool MovingContact::staysDeep(double time, double next, double at) const {
 std::optional<Impact> MovingContact::deepImpact() const {
   const Polygon borders_a = bordersOf(a_), borders_b = bordersOf(b_);
   DeepQuestion question{a_, motion_a_, b_, motion_b_, borders_a, borders_b, -margin_, precision_, speed_};
-  question.asks_a = withBordersOnly(b_.data()) != nullptr;
-  question.asks_b = withBordersOnly(a_.data()) != nullptr;
+  question.asks_a = withBordersOnly(dataOf(b_)) != nullptr;
+  question.asks_b = withBordersOnly(dataOf(a_)) != nullptr;
   question.depth = [&](double time) { return depthAt(time); };
   question.deepest = [&](const Polygon& piece, bool of_a, double time) {
     const Pose pose_a = motion_a_.at(time), pose_b = motion_b_.at(time);
     const Polygon& region = of_a ? borders_b : borders_a;
-    const Overlap overlap(piece.data(), of_a ? pose_a : pose_b, {region.data(), of_a ? pose_b : pose_a, true});
+    const Overlap overlap(dataOf(piece), of_a ? pose_a : pose_b, {dataOf(region), of_a ? pose_b : pose_a, true});
     return findDeepestPoint(overlap, false, 0, std::numeric_limits<double>::infinity());
   };
   question.away = [&](const Impact& touch, bool of_a, double time) {

@@ -142,7 +142,7 @@ Depth depthInOrder(const PolygonData& a, const Pose& pose_a, const PolygonData& 
 Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   const bool meet = collide(a, pose_a, b, pose_b);
   return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) { return meet ? detail::depthInOrder(operands..., {}) : detail::noDepth(); },
       [](Depth& depth) {
         depth.normal = -depth.normal;
@@ -153,7 +153,7 @@ Depth depth(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& 
 }
 
 Excess excess(const Polygon& part, const Pose& pose_part, const Polygon& area, const Pose& pose_area) {
-  const detail::PolygonData &of_part = part.data(), &of_area = area.data();
+  const detail::PolygonData &of_part = detail::dataOf(part), &of_area = detail::dataOf(area);
   if (covers(area, pose_area, part, pose_part)) return {0, Vec2::Zero(), Vec2::Zero(), -1, -1, 0};
   const detail::DeepestPoint found =
       detail::excessOfUnion({detail::PosedPair(of_part, pose_part, of_area, pose_area)}, detail::kInfinity);

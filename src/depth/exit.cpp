@@ -19,7 +19,7 @@ namespace {
 
 std::vector<PosedPair> pairsOf(const Polygon& part, const Pose& pose, const std::vector<StillArea>& areas) {
   std::vector<PosedPair> pairs;
-  for (const StillArea& area : areas) pairs.emplace_back(part.data(), pose, area.polygon, area.pose);
+  for (const StillArea& area : areas) pairs.emplace_back(dataOf(part), pose, area.polygon, area.pose);
   return pairs;
 }
 

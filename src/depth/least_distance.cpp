@@ -19,7 +19,8 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 void checkOptions(const LeastDistanceOptions& options) {
   detail::requireFiniteNotNegative(options.margin, "margin");
-  if (!(options.error > 0 && std::isfinite(options.error))) detail::refuse("error", "it must be finite and positive");
+  if (!(options.absolute_error > 0 && std::isfinite(options.absolute_error)))
+    detail::refuse("absolute_error", "it must be finite and positive");
 }
 
 /// The least distance of two bodies on their ways. `Path` is a Motion or a Trajectory.
@@ -38,14 +39,14 @@ class LeastOnWay {
     descend();
     double lower = 0;
     // The first step asks whether they meet, whatever the error. Sixty halvings are all bits of a distance.
-    for (int step = 0; least_.distance - lower > (step == 0 ? 0 : options_.error); ++step) {
+    for (int step = 0; least_.distance - lower > (step == 0 ? 0 : options_.absolute_error); ++step) {
       if (step == kMostSteps) {
         least_.budget_ended = true;
         break;
       }
       const double before = least_.distance, half = lower + 0.5 * (std::min(before, kLargest) - lower);
-      const bool is_guess = step % 2 == 1 && before - 0.5 * options_.error > half;
-      const double margin = step == 0 ? 0 : is_guess ? before - 0.5 * options_.error : half;
+      const bool is_guess = step % 2 == 1 && before - 0.5 * options_.absolute_error > half;
+      const double margin = step == 0 ? 0 : is_guess ? before - 0.5 * options_.absolute_error : half;
       if (step > 0 && !(lower < margin && margin < before)) {
         if (is_guess) continue;
         break;  // they are neighbours
@@ -95,7 +96,7 @@ class LeastOnWay {
       if (!(before < time && time < after)) break;  // it is least at an end, or the step is rounding
       const double beside = 0.5 * step * (left - right) / bend;
       if (bend > 0 && std::abs(beside) < step) look(std::clamp(time + beside, before, after));
-      if (bend <= options_.error * 0x1p-6) break;
+      if (bend <= options_.absolute_error * 0x1p-6) break;
       step *= 0.125;
     }
   }

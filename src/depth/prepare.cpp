@@ -9,7 +9,7 @@
 namespace tricover {
 
 void prepare(const Polygon& polygon) {
-  const detail::PolygonData& data = polygon.data();
+  const detail::PolygonData& data = detail::dataOf(polygon);
   detail::hierarchyOf(data);
   detail::innerDiscsOf(data);
   if (hasField(data)) fieldOf(data);

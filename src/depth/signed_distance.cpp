@@ -29,7 +29,7 @@ SignedDistance signedDistance(const Polygon& a, const Pose& pose_a, const Polygo
     }
   }
   return detail::inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) -> SignedDistance {
         const detail::PosedPair pair(operands...);
         const auto [nearest, normal] = detail::nearestContact(pair, {options});

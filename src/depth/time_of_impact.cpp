@@ -18,7 +18,7 @@ namespace {
 [[gnu::cold, gnu::noinline]] std::optional<Impact> deepImpact(const Polygon& a, const Motion& motion_a,
                                                               const Polygon& b, const Motion& motion_b,
                                                               const ImpactOptions& options) {
-  if (inOrder(a.data(), motion_a, b.data(), motion_b))
+  if (inOrder(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b))
     return MovingContact(a, motion_a, b, motion_b, options).deepImpact();
   std::optional<Impact> impact = MovingContact(b, motion_b, a, motion_a, options).deepImpact();
   swapOperands(impact);

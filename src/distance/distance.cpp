@@ -54,7 +54,7 @@ DistanceResult distance(const Polygon& a, const Pose& pose_a, const Polygon& b, 
   const double defect = requireRigid(pose_a, pose_b);
   checkOptions(options);
   requireNotNegative(options.limit, "limit");
-  const PolygonData &first = a.data(), &second = b.data();
+  const PolygonData &first = detail::dataOf(a), &second = detail::dataOf(b);
   const bool is_swapped = !inOrder(first, pose_a, second, pose_b);
   return solveInline({is_swapped ? second : first, is_swapped ? pose_b : pose_a, is_swapped ? first : second,
                       is_swapped ? pose_a : pose_b, defect, is_swapped},

@@ -13,6 +13,7 @@
 
 #include "hierarchy/hierarchy.h"
 #include "numbers/errors.h"
+#include "numbers/whole_file.h"
 #include "pair/posed_pair.h"
 #include "polygon/polygon_data.h"
 #include "tricover/paper.h"
@@ -174,7 +175,7 @@ void SvgDrawing::quadrangle(const std::array<Vec2, 4>& corners, const Pose& pose
 void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, const std::string& stroke) {
   checkPose(pose, "pose");
   if (level < 0) detail::refuse("level", std::to_string(level) + " is below 0");
-  const detail::PolygonData& data = polygon.data();
+  const detail::PolygonData& data = detail::dataOf(polygon);
   const detail::Hierarchy& hierarchy = hierarchyOf(data);
   const auto draw = [&](const std::array<Vec2, 4>& box) {
     quadrangle(box, pose, "fill=\"none\" stroke=\"" + escaped(stroke) + "\" stroke-opacity=\"0.7\"", 1);
@@ -187,7 +188,7 @@ void SvgDrawing::boxes(const Polygon& polygon, const Pose& pose, int level, cons
 
 void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std::string& fill) {
   checkPose(pose, "pose");
-  const detail::PolygonData& data = polygon.data();
+  const detail::PolygonData& data = detail::dataOf(polygon);
   const detail::InnerDiscs& discs = innerDiscsOf(data);
   for (int i = 0; i < discs.count; ++i) {
     const Vec2 center = pose * Vec2(data.origin + Vec2(discs.x[i], discs.y[i]) * data.unit);
@@ -203,11 +204,11 @@ void SvgDrawing::innerDiscs(const Polygon& polygon, const Pose& pose, const std:
 void SvgDrawing::hits(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
   checkPose(pose_a, "pose_a");
   checkPose(pose_b, "pose_b");
-  const detail::PosedPair posed(a.data(), pose_a, b.data(), pose_b);
+  const detail::PosedPair posed(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b);
   std::vector<bool> hit_a(a.vertexCount(), false), hit_b(b.vertexCount(), false);
   for (EdgeIndex i = 0; i < a.edgeCount(); ++i)
     for (EdgeIndex j = 0; j < b.edgeCount(); ++j)
-      if (detail::edgesMeet(posed, a.data().edgePosition(i), b.data().edgePosition(j)))
+      if (detail::edgesMeet(posed, detail::dataOf(a).edgePosition(i), detail::dataOf(b).edgePosition(j)))
         hit_a[static_cast<std::size_t>(i)] = hit_b[static_cast<std::size_t>(j)] = true;
   const auto draw = [&](const Polygon& polygon, const Pose& pose, const std::vector<bool>& hit) {
     for (std::size_t i = 0; i < hit.size(); ++i) {
@@ -301,5 +302,7 @@ std::string SvgDrawing::str() const {
     svg += element.head + (element.px > 0 ? number(element.px * px) : "") + element.tail + "\n";
   return svg + "</g>\n</svg>\n";
 }
+
+void SvgDrawing::save(const std::string& path) const { detail::writeWhole(path, str()); }
 
 }  // namespace tricover

@@ -26,7 +26,7 @@ Location locateIncluded(const detail::PolygonData& polygon, const detail::Includ
 
 Location locate(const Polygon& polygon, const Vec2& point) {
   detail::requireFinite(point, "point");
-  return locateIncluded(polygon.data(), detail::IncludedPoint::ofFrame(point));
+  return locateIncluded(detail::dataOf(polygon), detail::IncludedPoint::ofFrame(point));
 }
 
 Location locate(const Polygon& polygon, const Pose& pose, const Vec2& point) {
@@ -35,7 +35,7 @@ Location locate(const Polygon& polygon, const Pose& pose, const Vec2& point) {
   detail::requireFinite(point, "point");
   const Vec2 way = point - pose.translation();
   const detail::ApproxPoint from_pose{way.x(), way.y(), 2 * detail::kUnitRoundoff * way.lpNorm<1>() + detail::kTiny};
-  return locateIncluded(polygon.data(), {&pose, detail::turnedBack(pose, from_pose), {&kWorld, point}});
+  return locateIncluded(detail::dataOf(polygon), {&pose, detail::turnedBack(pose, from_pose), {&kWorld, point}});
 }
 
 }  // namespace tricover

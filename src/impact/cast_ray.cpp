@@ -72,12 +72,12 @@ class RoundRay {
   std::vector<Part> partsInReach() const {
     const Polygon start = Polygon::point(from_);
     const Motion motion = Motion::translation(Pose::Identity(), to_ - from_);
-    const detail::MovingPair pair(polygon_.data(), still_, start.data(), motion, margin_);
+    const detail::MovingPair pair(detail::dataOf(polygon_), still_, detail::dataOf(start), motion, margin_);
     const double reach = pair.margin + 8 * pair.error;
     const Vec2 origin = pair.b.base, way = pair.b.path.first;
     const detail::Places places = pair.a.places(0, 0);
     std::vector<Part> parts;
-    for (const RayInterval& inside : detail::castPlainRayAll(polygon_.data(), still_.start, from_, to_))
+    for (const RayInterval& inside : detail::castPlainRayAll(detail::dataOf(polygon_), still_.start, from_, to_))
       parts.push_back({inside.begin.fraction, inside.end.fraction});
     const auto add = [&](detail::EdgePosition edge) {
       const detail::MovingEdge ends = pair.a.ends(places, 0, edge);
@@ -85,11 +85,12 @@ class RoundRay {
       if (!(part.begin > part.end)) parts.push_back(part);
       return true;
     };
-    const detail::PosedPair posed(polygon_.data(), still_.start, start.data(), motion.start);
+    const detail::PosedPair posed(detail::dataOf(polygon_), still_.start, detail::dataOf(start), motion.start);
     const detail::ApproxPoint v = seenFromA(posed, from_).approx, w = seenFromA(posed, to_).approx;
     const double room = reach * pair.length * pair.expansion * (1 + detail::kLargestDefect) + 1.5 * (v.error + w.error);
-    detail::forEachEdgeNear(polygon_.data(), polygon_.data().inUnits({v.x, v.y}), polygon_.data().inUnits({w.x, w.y}),
-                            room * polygon_.data().inverse_unit, add);
+    detail::forEachEdgeNear(detail::dataOf(polygon_), detail::dataOf(polygon_).inUnits({v.x, v.y}),
+                            detail::dataOf(polygon_).inUnits({w.x, w.y}), room * detail::dataOf(polygon_).inverse_unit,
+                            add);
     std::sort(parts.begin(), parts.end());
     std::size_t last = 0;
     for (const Part& part : parts) {
@@ -155,13 +156,13 @@ std::optional<RayHit> castRay(const Polygon& polygon, const Pose& pose, const Ve
                               const RayOptions& options) {
   checkRay(pose, from, to, options);
   if (options.margin > 0) return RoundRay(polygon, pose, from, to, options.margin).first();
-  return detail::castPlainRay(polygon.data(), pose, from, to, 1);
+  return detail::castPlainRay(detail::dataOf(polygon), pose, from, to, 1);
 }
 
 std::vector<RayInterval> castRayAll(const Polygon& polygon, const Pose& pose, const Vec2& from, const Vec2& to,
                                     const RayOptions& options) {
   checkRay(pose, from, to, options);
-  if (!(options.margin > 0)) return detail::castPlainRayAll(polygon.data(), pose, from, to);
+  if (!(options.margin > 0)) return detail::castPlainRayAll(detail::dataOf(polygon), pose, from, to);
   return RoundRay(polygon, pose, from, to, options.margin).all();
 }
 

@@ -132,7 +132,7 @@ std::optional<Impact> impactInOrder(const PolygonData& a, const Motion& motion_a
 std::optional<Impact> impactOf(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                                const ImpactOptions& options) {
   return inKernelOrder(
-      a.data(), motion_a, b.data(), motion_b,
+      dataOf(a), motion_a, dataOf(b), motion_b,
       [&](const auto&... operands) { return impactInOrder(operands..., options); }, swapOperands);
 }
 

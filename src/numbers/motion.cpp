@@ -47,10 +47,7 @@ Motion motionAlong(const Pose& start, const Vec2& pivot, const detail::Cubic<Vec
 /// From where the pivot and the body's angle are at time 0.
 Motion splineFrom(const Vec2& position, double angle, const Vec2& pivot, const detail::Cubic<Vec2>& path,
                   const detail::Cubic<double>& rotation) {
-  Pose start = Pose::Identity();
-  start.linear() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  start.translation() = position - start.linear() * pivot;
-  return motionAlong(start, pivot, path, rotation);
+  return motionAlong(detail::poseOfPivot(position, angle, pivot), pivot, path, rotation);
 }
 
 /// From the ends p, q and the rates u, v there.

@@ -17,6 +17,13 @@ inline void requireFinite(double time, const char* field) {
 Motion motionBetween(const Pose& start, const std::string& start_name, const Pose& end, const std::string& end_name,
                      const Vec2& pivot);
 
+/// Where a body is whose pivot and heading these are.
+inline Pose poseOfPivot(const Vec2& position, double angle, const Vec2& pivot) {
+  Pose pose = poseAt(0, 0, angle);
+  pose.translation() = position - pose.linear() * pivot;
+  return pose;
+}
+
 inline void checkMotions(const Motion& motion_a, const Motion& motion_b) {
   checkMotion(motion_a, "motion_a");
   checkMotion(motion_b, "motion_b");

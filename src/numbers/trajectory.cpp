@@ -75,9 +75,7 @@ Trajectory Trajectory::through(const std::vector<TimedPose>& poses, const Vec2& 
 Trajectory Trajectory::through(const std::vector<Waypoint>& waypoints, const Vec2& pivot) {
   detail::requireFinite(pivot, "pivot");
   const auto poseOf = [&](const Waypoint& waypoint) {
-    Pose pose = poseAt(0, 0, waypoint.angle);
-    pose.translation() = waypoint.position - pose.linear() * pivot;
-    return pose;
+    return detail::poseOfPivot(waypoint.position, waypoint.angle, pivot);
   };
   std::vector<Leg> legs = legsBetween(waypoints, "waypoints", [&](std::size_t i, double) {
     const Waypoint &from = waypoints[i - 1], &to = waypoints[i];
@@ -94,9 +92,11 @@ Trajectory Trajectory::spline(const std::vector<TimedKnot>& knots, const Vec2& p
     end.angular_velocity *= length;
     return end;
   };
-  return Trajectory(legsBetween(knots, "knots", [&](std::size_t i, double length) {
+  std::vector<Leg> legs = legsBetween(knots, "knots", [&](std::size_t i, double length) {
     return Motion::spline(inUnits(knots[i - 1].end, length), inUnits(knots[i].end, length), pivot);
-  }));
+  });
+  const SplineEnd& last = knots.back().end;
+  return {std::move(legs), detail::poseOfPivot(last.position, last.angle, pivot)};
 }
 
 Trajectory Trajectory::appearing() const {

@@ -79,11 +79,11 @@ std::vector<bool> bordersOf(const PolygonData& given, std::vector<EdgePiece>& pi
   const double scale = rounded && !is_in_range ? given.inverse_unit : 1;
   for (const EdgePiece& piece : pieces) rings[given.ringOf(piece.edge)].push_back(scale * Vec2(piece.v.data()));
   const Polygon cut(rings, given.fill.rule);
-  KnownSides sides{PosedRegions(cut.data())};
+  KnownSides sides{PosedRegions(detail::dataOf(cut))};
   std::vector<EdgePiece> all;
   std::vector<bool> borders;
   for (const EdgePiece& piece : pieces) {
-    const EdgeSides& beside = sides.of(EdgeSides::A, cut.data().edgePosition(&piece - pieces.data()));
+    const EdgeSides& beside = sides.of(EdgeSides::A, detail::dataOf(cut).edgePosition(&piece - pieces.data()));
     const bool is_border = beside.hasAny(&EdgeSides::Piece::isBorder);
     if (!is_border || !beside.hasAny(&EdgeSides::Piece::isNoBorder)) {
       all.push_back(piece);

@@ -279,7 +279,7 @@ std::vector<Ring> outerRings(const PolygonData& polygon, double tolerance) {
   std::vector<Ring> rings_of_corners;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) rings_of_corners.push_back(corners(polygon.vertices(r)));
   const Polygon same(rings_of_corners, polygon.fill.rule);
-  RingCover rings(same.data(), tolerance);
+  RingCover rings(detail::dataOf(same), tolerance);
   std::vector<Ring> cover;
   for (std::size_t r = 0; r < polygon.ringCount(); ++r) cover.push_back(rings.cover(r));
   return cover;

@@ -173,7 +173,7 @@ class CoverSearch {
       if (!beginsPoint(pair.b, pair.b.edgeBegin(r))) rings.push_back(pair.b.vertices(r));
     if (rings.empty()) return false;
     const Polygon rest(rings, pair.b.fill.rule);
-    const Location there = locateInA(PosedPair(rest.data(), pair.pose_b, pair.a, pair.pose_a), point);
+    const Location there = locateInA(PosedPair(dataOf(rest), pair.pose_b, pair.a, pair.pose_a), point);
     return there != (pair.b.fill.is_complement ? Location::Inside : Location::Outside);
   }
 

@@ -107,13 +107,14 @@ bool collideByPaper(const Polygon& a, const Pose& pose_a, const Polygon& b, cons
   requireTouching(options.touching);
   requireRigid(pose_a, pose_b);
   const bool collides = inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) {
         if (gapOfDiscs(PosedPair(operands...), options.margin) >= 0) return false;
         return collideByPaper(PosedPair(operands...), kept, options);
       },
       [](bool) {});
-  return collides && (!asksForInteriors(options) || interiorsMeet(a.data(), pose_a, b.data(), pose_b));
+  return collides &&
+         (!asksForInteriors(options) || interiorsMeet(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b));
 }
 
 }  // namespace

@@ -274,10 +274,11 @@ std::optional<Penetration> penetration(const Polygon& a, const Pose& pose_a, con
   requireBounded(a, b);
   requireTouching(options.touching);
   const double defect = requireRigid(pose_a, pose_b);
-  if (!regionsCollide(a.data(), pose_a, b.data(), pose_b, defect, nullptr, {options.margin, 0, options.touching}))
+  if (!regionsCollide(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b, defect, nullptr,
+                      {options.margin, 0, options.touching}))
     return std::nullopt;
   return inKernelOrder(
-      a.data(), pose_a, b.data(), pose_b,
+      detail::dataOf(a), pose_a, detail::dataOf(b), pose_b,
       [&](const auto&... operands) {
         return penetrationInOrder(operands..., options.margin, kMostTranslations,
                                   cache != nullptr ? &cache->penetration : nullptr);

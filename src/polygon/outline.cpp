@@ -1,39 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tricover/outline.h"
 
-#include <cmath>
-#include <limits>
-#include <string>
 #include <utility>
 
 #include "numbers/errors.h"
+#include "polygon/grid_corners.h"
 
 namespace tricover {
 namespace {
-
-/// The corners' coordinates along one axis.
-std::vector<double> corners(double origin, double resolution, std::size_t count) {
-  std::vector<double> at;
-  at.reserve(count + 1);
-  for (std::size_t i = 0; i <= count; ++i) {
-    at.push_back(origin + static_cast<double>(i) * resolution);
-    if (!std::isfinite(at.back())) detail::refuse("origin", "corner " + std::to_string(i) + " isn't finite");
-    // Rounding is monotonic, so rings are right unless corners become one.
-    if (i > 0 && !(at[i] > at[i - 1]))
-      detail::refuse("resolution", "corners " + std::to_string(i - 1) + " and " + std::to_string(i) +
-                                       " round to the same coordinate so far from 0");
-  }
-  return at;
-}
-
-void check(const OccupancyGrid& grid) {
-  if (grid.width != 0 && grid.height > std::numeric_limits<std::size_t>::max() / grid.width)
-    detail::refuse("height", "the number of cells overflows");
-  if (grid.cells.size() != grid.width * grid.height)
-    detail::refuse("cells", std::to_string(grid.cells.size()) + " values for " + std::to_string(grid.width) + " x " +
-                                std::to_string(grid.height) + " cells");
-  if (!(grid.resolution > 0)) detail::refuse("resolution", "it must be positive");
-}
 
 /// The four directions along a grid's lines, counter-clockwise.
 enum Heading { kEast, kNorth, kWest, kSouth };
@@ -46,8 +20,8 @@ class Tracer {
         stride_(grid.width + 2),
         occupied_(stride_ * (grid.height + 2)),
         traced_(occupied_.size()),
-        x_(corners(grid.origin.x(), grid.resolution, grid.width)),
-        y_(corners(grid.origin.y(), grid.resolution, grid.height)) {
+        x_(detail::gridCorners(grid.origin.x(), grid.resolution, grid.width)),
+        y_(detail::gridCorners(grid.origin.y(), grid.resolution, grid.height)) {
     for (std::size_t y = 0; y < height_; ++y)
       for (std::size_t x = 0; x < width_; ++x) occupied_[cell(x, y)] = is_occupied(grid.cells[y * width_ + x]);
   }
@@ -107,7 +81,7 @@ class Tracer {
 
 std::optional<Polygon> outline(const OccupancyGrid& grid, const IsOccupied& is_occupied) {
   if (!is_occupied) detail::refuse("is_occupied", "it is empty");
-  check(grid);
+  detail::checkCells(grid);
   std::vector<Ring> rings = Tracer(grid, is_occupied).rings();
   if (rings.empty()) return std::nullopt;
   return Polygon(std::move(rings));

@@ -161,4 +161,7 @@ struct PolygonData {
   EdgePosition nextWithLength(EdgePosition position) const;
 };
 
+/// What a polygon is, for the kernel.
+inline const PolygonData& dataOf(const Polygon& polygon) { return *polygon.data_; }
+
 }  // namespace tricover::detail

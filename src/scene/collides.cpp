@@ -24,7 +24,7 @@ class CollisionQuery {
  public:
   CollisionQuery(const SceneState& state, const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                  const BodyFilter& filter)
-      : state_(state), polygon_(polygon.data()), pose_(pose), options_(options), filter_(state.slots(filter)) {
+      : state_(state), polygon_(detail::dataOf(polygon)), pose_(pose), options_(options), filter_(state.slots(filter)) {
     detail::checkOptions(options);
     defect_ = detail::requireRigid(pose, "pose");
     bounds_ = boundsOf(polygon_, pose, detail::marginOfBox(options.margin));
@@ -42,7 +42,7 @@ class CollisionQuery {
  private:
   bool outlinesMeet(Slot slot) const {
     const auto& body = state_.bodies[slot];
-    const detail::PolygonData& other = body.polygon.data();
+    const detail::PolygonData& other = detail::dataOf(body.polygon);
     const CollideOptions options = detail::withBody(options_, body.options);
     const double defect = defect_ + detail::defectOf(body.pose);
     if (collideChecked(polygon_, pose_, other, body.pose, defect, nullptr, options)) return true;
@@ -89,14 +89,23 @@ std::optional<Scene::Body> Scene::anyColliding(const Polygon& polygon, const Pos
 
 std::vector<Scene::Body> Scene::colliding(const Polygon& polygon, const Pose& pose, const CollideOptions& options,
                                           const BodyFilter& filter) const {
-  const SceneState& state = impl_->settled();
   std::vector<BodyHandle> found;
-  CollisionQuery(state, polygon, pose, options, filter).forEachColliding([&](Slot slot) {
-    found.push_back(state.handleOf(slot));
+  const auto list = [&](Body body) {
+    found.push_back(body);
     return true;
-  });
+  };
+  visitColliding(polygon, pose, list, options, filter);
   std::sort(found.begin(), found.end());
   return found;
+}
+
+void Scene::visitColliding(const Polygon& polygon, const Pose& pose, const std::function<bool(Body)>& visit,
+                           const CollideOptions& options, const BodyFilter& filter) const {
+  if (!visit) detail::refuse("visit", "the function is empty");
+  const SceneState& state = impl_->settled();
+  CollisionQuery(state, polygon, pose, options, filter).forEachColliding([&](Slot slot) {
+    return visit(state.handleOf(slot));
+  });
 }
 
 }  // namespace tricover

@@ -26,7 +26,7 @@ std::optional<Impact> firstExitOn(const std::vector<Leg>& legs, const Polygon& p
       if (body.options.margin != 0)
         refuse("body " + std::to_string(slot), "it has a margin, which firstExit() can't inflate exactly",
                "leave it out by the filter, or add it without a margin");
-      areas.push_back({body.polygon.data(), body.pose});
+      areas.push_back({detail::dataOf(body.polygon), body.pose});
       return true;
     });
     std::optional<Impact> exit = firstExit(polygon, leg.motion, areas, options.margin);

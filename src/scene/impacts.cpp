@@ -22,6 +22,7 @@ using detail::Bounds;
 using detail::legsOf;
 using detail::SceneState;
 using detail::Slot;
+using detail::stillBeside;
 using detail::Sweep;
 using detail::SweptLeg;
 
@@ -32,9 +33,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Pairs of moving bodies take intervals twice as long, and at most this number for each leg. A finer division saves
 /// less than its boxes cost.
 constexpr double kMostPairIntervals = 8;
-
-Motion stillBeside(const Motion&, const Pose& pose) { return Motion::still(pose); }
-Trajectory stillBeside(const Trajectory&, const Pose& pose) { return pose; }
 
 ImpactOptions withMargin(ImpactOptions options, double margin) {
   options.margin = detail::marginSum(options.margin, margin);
@@ -148,7 +146,7 @@ std::vector<BodyPair> pairsNear(const SceneState& state, const std::vector<Movin
     for (std::uint32_t i = 0; i < motions.size(); ++i) {
       const Slot body = Scene::indexOf(motions[i].body);
       const auto add = [&](Slot other) {
-        if (state.mayMeet(state.bodies[body], state.bodies[other])) pairs.push_back(state.handlesOf(body, other));
+        if (state.mayMeet(body, other)) pairs.push_back(state.handlesOf(body, other));
       };
       moving.visit(boxes[i].bounds, [&](std::uint32_t j) {
         if (j < i) add(Scene::indexOf(motions[j].body));
@@ -220,12 +218,16 @@ std::vector<Found> queryPairs(const std::vector<Moving>& motions, const char* na
   return all;
 }
 
+void checkMotions(const std::vector<BodyMotion>& motions) {
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    checkMotion(motions[i].motion, ("motions[" + std::to_string(i) + "]").c_str());
+}
+
 }  // namespace
 
 std::vector<PairImpact> Scene::impacts(const std::vector<BodyMotion>& motions, const ImpactOptions& options,
                                        const Parallel& parallel) const {
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    checkMotion(motions[i].motion, ("motions[" + std::to_string(i) + "]").c_str());
+  checkMotions(motions);
   return queryPairs<PairImpact, std::optional<Impact>>(
       motions, "motions", impl_->settled(), options, parallel,
       [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
@@ -239,6 +241,16 @@ std::vector<PairImpact> Scene::impacts(const std::vector<BodyTrajectory>& trajec
       trajectories, "trajectories", impl_->settled(), options, parallel,
       [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
         return detail::timeOfImpact(p, moving_p.trajectory, q, moving_q.trajectory, both);
+      });
+}
+
+std::vector<PairConflict> Scene::conflicts(const std::vector<BodyMotion>& motions, const ImpactOptions& options,
+                                           const Parallel& parallel) const {
+  checkMotions(motions);
+  return queryPairs<PairConflict, std::vector<Conflict>>(
+      motions, "motions", impl_->settled(), options, parallel,
+      [](const auto& p, const auto& moving_p, const auto& q, const auto& moving_q, const ImpactOptions& both) {
+        return tricover::conflicts(p, moving_p.motion, q, moving_q.motion, both);
       });
 }
 

@@ -25,7 +25,7 @@ constexpr double kMost = std::numeric_limits<double>::max();
 
 /// The size is finite, so that a step that overflows is longer.
 double sizeOf(const SceneState::BodyState& body) {
-  return std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost);
+  return std::min(dataOf(body.polygon).radius + marginOfBox(body.options.margin), kMost);
 }
 
 bool isCoherent(const SceneState::BodyState& body, double step) { return step <= kCoherentPart * sizeOf(body); }
@@ -44,7 +44,7 @@ Bounds SceneState::newBox(Slot body) {
   BodyState& state = bodies[body];
   const double growth = std::min(kBoxSteps * state.step, sizeOf(state));
   const Bounds box =
-      boundsOf(state.polygon.data(), state.pose, marginOfBox(state.options.margin) + growth);  // may throw
+      boundsOf(dataOf(state.polygon), state.pose, marginOfBox(state.options.margin) + growth);  // may throw
   state.box_until = roundedDown<1>(state.moved + growth);
   return box;
 }
@@ -54,7 +54,7 @@ double SceneState::stepTo(Slot body, const Pose& pose) const {
   const BodyState& state = bodies[body];
   double was[6];
   store(was, state.pose);
-  return displacement(state.polygon.data(), was, pose);
+  return displacement(dataOf(state.polygon), was, pose);
 }
 
 /// Changes the body's own data for a move and returns whether the body is due. Any number of threads may advance
@@ -97,6 +97,21 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
   listDue(body);
   if (tree.holds(body)) tree.move(body, newBox(body));
   listFresh(body);
+}
+
+void SceneState::setIgnored(Slot first, Slot second, bool ignored) {
+  if (ignores(first, second) == ignored) return;
+  std::vector<Slot>&of_first = bodies[first].ignored, &of_second = bodies[second].ignored;
+  if (ignored) {
+    for (std::vector<Slot>* list : {&of_first, &of_second}) makeRoom(*list, 1);
+    setOptions(first, bodies[first].options);  // may throw
+    of_first.push_back(second);
+    of_second.push_back(first);
+  } else {
+    setOptions(first, bodies[first].options);  // may throw
+    erase(of_first, second);
+    erase(of_second, first);
+  }
 }
 
 /// Moves a body unless it leaves its box. Any number of threads may move different bodies.

@@ -27,7 +27,7 @@ std::optional<BodyRayHit> Scene::castRay(const Vec2& from, const Vec2& to, const
     const Body body = state.handleOf(slot);
     const double margin = detail::marginSum(options.margin, other.options.margin);
     const auto hit = margin > 0 ? tricover::castRay(other.polygon, other.pose, from, to, {margin})
-                                : detail::castPlainRay(other.polygon.data(), other.pose, from, to, limit);
+                                : detail::castPlainRay(detail::dataOf(other.polygon), other.pose, from, to, limit);
     if (hit && (!best || std::pair(hit->fraction, body) < std::pair(best->hit.fraction, best->body))) {
       best = BodyRayHit{body, *hit};
       limit = hit->fraction;

@@ -70,6 +70,7 @@ void Scene::remove(Body body) {
   detail::makeRoom(impl.free_bodies, impl.unreported.size() + 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
+  for (const detail::Slot other : state.ignored) detail::erase(impl.bodies[other].ignored, slot);
   if (impl.tree.holds(slot)) impl.tree.remove(slot);
   // Until collisions() has reported that its pairs ended, the slot isn't given to another body; nor ever again after as
   // many bodies as handles count.
@@ -105,6 +106,13 @@ void Scene::setOptions(Body body, const BodyOptions& options) {
   check(options);
   impl_->setOptions(slot, options);
 }
+
+void Scene::setIgnored(Body a, Body b, bool ignored) {
+  const detail::Slot first = impl_->slot(a), second = impl_->slot(b);
+  if (first == second) detail::refuse("b", "it is a, and a body doesn't meet itself", "name two bodies");
+  impl_->setIgnored(first, second, ignored);
+}
+bool Scene::isIgnored(Body a, Body b) const { return impl_->ignores(impl_->slot(a), impl_->slot(b)); }
 
 const std::vector<BodyPair>& Scene::collisions(const Parallel& parallel) {
   impl_->updateCollisions(parallel);

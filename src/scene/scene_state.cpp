@@ -56,7 +56,7 @@ void SceneState::makeRoomFor(std::size_t more) {
 Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Slot body = anew ? static_cast<Slot>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, 0, {}, 0, 0, 0, {}, false, false, false};
+  BodyState state{polygon, pose, options, 0, {}, 0, 0, 0, {}, {}, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
     tenancies.emplace_back();
@@ -110,7 +110,7 @@ void SceneState::findPairs(Slot body, std::vector<SlotPair>& found) const {
   };
   tree.visit(tree.boundsOf(body), [&](Slot other) {
     const bool is_found_there = bodies[other].fresh && other <= body;
-    if (!is_found_there && mayMeet(bodies[body], bodies[other]) && !linked(body, other))
+    if (!is_found_there && mayMeet(body, other) && !linked(body, other))
       found.push_back({std::min(body, other), std::max(body, other)});
     return true;
   });
@@ -176,13 +176,14 @@ void SceneState::schedule(const Pair& pair, double room) {
 
 SceneState::Finding SceneState::look(Pair& pair) {
   const BodyState &p = bodies[pair.body[0]], &q = bodies[pair.body[1]];
-  if (!mayMeet(p, q) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1]))) return {false, false};
+  if (!mayMeet(pair.body[0], pair.body[1]) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1])))
+    return {false, false};
   const double pace = p.step + q.step;
   const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
   // A certificate says nothing of depths.
   const CollideOptions certified = options.margin < 0 ? CollideOptions{} : options;
   Outcome found = inKernelOrder(
-      p.polygon.data(), p.pose, q.polygon.data(), q.pose,
+      dataOf(p.polygon), p.pose, dataOf(q.polygon), q.pose,
       [&](const auto&... operands) {
         return findCertificateOf(operands..., defectOf(p.pose, q.pose), certified,
                                  {kPairSteps * pace, pace > 0, pair.edge[0], pair.edge[1]});

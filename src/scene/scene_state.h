@@ -56,10 +56,11 @@ struct SceneState {
     double step;  ///< the length of its moves, a moving average
     ClearBox clear;
     double moved, due, box_until;
-    std::vector<Link> links;  ///< its pairs
-    bool waits;               ///< in `waiting`, and not in the tree
-    bool fresh;               ///< in the list of this name
-    bool listed;              ///< in the list `due`
+    std::vector<Link> links;    ///< its pairs
+    std::vector<Slot> ignored;  ///< bodies that it doesn't meet, in any order
+    bool waits;                 ///< in `waiting`, and not in the tree
+    bool fresh;                 ///< in the list of this name
+    bool listed;                ///< in the list `due`
   };
 
   /// Data of a slot that outlive its body.
@@ -108,8 +109,14 @@ struct SceneState {
   bool passes(const SlotFilter& filter, Slot body) const {
     return (bodies[body].options.category & filter.categories) != 0 && body != filter.except;
   }
-  bool mayMeet(const BodyState& p, const BodyState& q) const {
-    return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0;
+  bool mayMeet(Slot first, Slot second) const {
+    const BodyState &p = bodies[first], &q = bodies[second];
+    return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0 &&
+           !ignores(first, second);
+  }
+  bool ignores(Slot first, Slot second) const {
+    const std::vector<Slot>& of_first = bodies[first].ignored;
+    return std::find(of_first.begin(), of_first.end(), second) != of_first.end();
   }
 
   void makeRoomFor(std::size_t more);
@@ -122,6 +129,7 @@ struct SceneState {
   bool advance(Slot body, const Pose& pose, double step);
   void moveBody(Slot body, const Pose& pose);
   void setOptions(Slot body, const BodyOptions& options);
+  void setIgnored(Slot first, Slot second, bool ignored);
   /// One of many moves, and what is left to do of it.
   struct Moving {
     enum What : std::uint8_t { Done, IsDue, Later };
@@ -173,6 +181,9 @@ template <typename T>
 void makeRoom(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));
 }
+
+/// Erases the slot, which is in the list.
+inline void erase(std::vector<Slot>& list, Slot slot) { list.erase(std::find(list.begin(), list.end(), slot)); }
 
 /// The margin of two bodies: the sum, rounded, and finite.
 inline double marginSum(double p, double q) {

@@ -24,7 +24,7 @@ constexpr double kMostIntervals = 64;
 class SweptLeg {
  public:
   SweptLeg(const Polygon& polygon, const Leg& leg, double margin)
-      : polygon_(polygon.data()),
+      : polygon_(dataOf(polygon)),
         motion_(leg.motion),
         margin_(marginOfBox(margin)),
         begin_(leg.begin),
@@ -90,6 +90,10 @@ class SweptLeg {
 /// A motion as a trajectory's one leg: it runs from 0 to 1.
 inline std::vector<Leg> legsOf(const Motion& motion) { return {{0, 1, motion}}; }
 inline const std::vector<Leg>& legsOf(const Trajectory& trajectory) { return trajectory.legs(); }
+
+/// A body that rests beside a motion, and beside a trajectory.
+inline Motion stillBeside(const Motion&, const Pose& pose) { return Motion::still(pose); }
+inline Trajectory stillBeside(const Trajectory&, const Pose& pose) { return pose; }
 
 /// A polygon on all of its path, by a clock.
 class Sweep {

@@ -62,6 +62,9 @@ TEST(Changelog, ScenesAreAskedSo) {
   EXPECT_TRUE(scene.castRay({-9, 0}, {9, 0}, RayOptions{}, BodyFilter(kEveryCategory)));
   EXPECT_FALSE(scene.nearestWithin(b, poseAt(9, 0), 1));
   EXPECT_EQ(scene.anyColliding(b, poseAt(2.5, 0)), body);
+  LeastDistanceOptions options;
+  options.absolute_error = 1e-9;
+  EXPECT_EQ(scene.leastDistance(b, Motion::still(poseAt(4, 0)), options)->least.distance, 1);
 }
 
 }  // namespace

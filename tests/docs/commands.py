@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCUMENTS = ("README.md", "bench/README.md", "fcl_adapter/README.md", ".github/CONTRIBUTING.md")
 
 PACKAGES = {  # of what CMake looks for
-    "Eigen3": "libeigen3-dev", "fcl": "libfcl-dev", "yaml-cpp": "libyaml-cpp-dev", "ompl": "libompl-dev", "TBB": "libtbb-dev",
+    "Eigen3": "libeigen3-dev", "fcl": "libfcl-dev", "yaml-cpp": "libyaml-cpp-dev", "PNG": "libpng-dev", "nlohmann_json": "nlohmann-json3-dev", "ompl": "libompl-dev", "TBB": "libtbb-dev",
     "MPI": "libopenmpi-dev", "pybind11": "pybind11-dev", "Python": "python3-dev", "Python3": "python3", "GTest": "libgtest-dev",
     "GMP_LIBRARY": "libgmp-dev", "GMPXX_LIBRARY": "libgmp-dev", "CCD_LIBRARY": "libccd-dev", "FCL_LIBRARY": "libfcl-dev",
     "OCTOMAP_LIBRARY": "libfcl-dev", "OCTOMATH_LIBRARY": "libfcl-dev", "Doxygen": "doxygen", "PkgConfig": "pkg-config",

@@ -89,6 +89,11 @@ TEST(Documentation, SceneManager) {
   manager.update(&beside);
   manager.collide(&data, fcl::DefaultCollisionFunction<double>);
   EXPECT_TRUE(data.result.isCollision());
+
+  manager.setIgnored(&lying, &beside);  // they may touch
+  fcl::DefaultCollisionData<double> again;
+  manager.collide(&again, fcl::DefaultCollisionFunction<double>);
+  EXPECT_FALSE(again.result.isCollision());
   //! [scene manager]
 }
 

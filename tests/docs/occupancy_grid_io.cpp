@@ -33,4 +33,18 @@ TEST(Documentation, OccupancyMap) {
   //! [occupancy map]
 }
 
+TEST(Documentation, WriteOccupancyMap) {
+  const std::string folder = testing::TempDir();
+  //! [write]
+  tricover::OccupancyMap map;
+  map.grid = {3, 1, {0, 100, -1}, 0.05};  // free, occupied, unknown
+  map.pose = tricover::poseAt(-1, 2, 0.5);
+  tricover::writeOccupancyMap(map, folder + "lane.yaml");              // and lane.pgm
+  tricover::writeOccupancyMap(map, folder + "lane.yaml", "lane.png");  // or lane.png
+  const tricover::OccupancyMap again = tricover::readOccupancyMap(folder + "lane.yaml");
+  EXPECT_EQ(again.grid.cells, map.grid.cells);
+  EXPECT_EQ(again.pose.matrix(), map.pose.matrix());
+  //! [write]
+}
+
 }  // namespace

@@ -36,6 +36,8 @@ TEST(Documentation, Scene) {
   EXPECT_EQ(impacts.size(), 2u);
   EXPECT_EQ(impacts[0].impact.time, 0);  // the other robot, at once
   EXPECT_NEAR(impacts[1].impact.time, 0.5, 1e-6);
+  const auto conflicts = scene.conflicts({{first, tricover::Motion::translation(at(0, 0), {0, 4})}});
+  EXPECT_NEAR(conflicts[0].conflict.end, 0.5, 1e-6);  // and until when
   //! [scene]
 }
 
@@ -160,6 +162,50 @@ TEST(Documentation, SceneFrames) {
   //! [scene frames]
 }
 
+TEST(Documentation, SceneContacts) {
+  //! [scene contacts]
+  const tricover::Polygon crate = tricover::Polygon::box(2, 2), floor = tricover::Polygon::box(20, 2);
+  tricover::Scene scene;
+  const auto lower = scene.add(floor, tricover::poseAt(0, 0)), upper = scene.add(crate, tricover::poseAt(3, 1.75));
+  for (const auto& [pair, contact] : scene.contacts()) {
+    EXPECT_EQ(pair, (tricover::BodyPair{lower, upper}));
+    EXPECT_EQ(contact.depth, 0.25);
+    EXPECT_EQ(contact.normal, tricover::Vec2(0, 1));  // from the floor to the crate
+  }
+  //! [scene contacts]
+  EXPECT_EQ(scene.contacts().size(), 1u);
+}
+
+TEST(Documentation, SceneIgnored) {
+  //! [scene ignored]
+  const tricover::Polygon box = tricover::Polygon::box(1, 1);
+  tricover::Scene scene;
+  const auto gripper = scene.add(box, tricover::poseAt(0, 0)), part = scene.add(box, tricover::poseAt(1, 0));
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  scene.setIgnored(gripper, part);  // it has gripped the part
+  EXPECT_TRUE(scene.collisions().empty());
+  EXPECT_TRUE(scene.isIgnored(part, gripper));
+  scene.setIgnored(gripper, part, false);  // and lets go
+  EXPECT_EQ(scene.collisions().size(), 1u);
+  //! [scene ignored]
+}
+
+TEST(Documentation, SceneLeastDistance) {
+  //! [scene least distance]
+  using tricover::poseAt;
+  const tricover::Polygon box = tricover::Polygon::box(1, 1);
+  tricover::Scene scene;
+  scene.add(box, poseAt(5, 3));
+  const auto nearer = scene.add(box, poseAt(20, -2));
+  const auto least = scene.leastDistance(box, tricover::Motion::translation(poseAt(0, 0), {30, 0}));
+  EXPECT_EQ(least->body, nearer);
+  EXPECT_NEAR(least->least.distance, 1, 1e-6);
+  const auto way =
+      tricover::Trajectory::through({{0, poseAt(0, 0)}, {10, poseAt(10, 0)}});  // ten seconds, a part of it
+  EXPECT_NEAR(scene.leastDistance(box, way)->least.distance, 2, 1e-6);
+  //! [scene least distance]
+}
+
 TEST(Documentation, SceneQueries) {
   //! [scene queries]
   const tricover::Polygon square({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
@@ -178,6 +224,9 @@ TEST(Documentation, SceneQueries) {
   EXPECT_TRUE(scene.collides(square, at(2.5), {0.5}));   // with a margin
   EXPECT_EQ(scene.anyColliding(square, at(0.5)), left);
   EXPECT_EQ(scene.colliding(square, at(2), {1}), (std::vector{left, right}));
+  int met = 0;
+  scene.visitColliding(square, at(2), [&](tricover::Scene::Body) { return ++met < 5; }, {1});  // until there are five
+  EXPECT_EQ(met, 2);
   EXPECT_EQ(scene.nearest(square, at(2.5))->body, right);
   EXPECT_EQ(scene.nearest(square, at(2.5))->result.distance, 0.5);
   EXPECT_FALSE(scene.nearestWithin(square, at(2.5), 0.25));
@@ -225,6 +274,8 @@ TEST(Documentation, Parallel) {
   const std::vector<bool> answers = scene.collides(square, poses, {}, tricover::kEveryCategory, parallel);
   EXPECT_TRUE(answers[100]);  // at x = 1
   EXPECT_FALSE(answers[101]);
+  const auto nearest = scene.nearest(square, poses, {}, tricover::kEveryCategory, parallel);
+  EXPECT_EQ(nearest[300]->result.distance, 2);  // at x = 3
   //! [parallel]
 }
 

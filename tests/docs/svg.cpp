@@ -22,7 +22,8 @@ TEST(Documentation, SvgDrawing) {
   drawing.boxes(square, pose, 0);
   drawing.hits(square, still, square, pose);
   drawing.contacts(tricover::contacts(square, still, square, pose));
-  const std::string document = drawing.str();  // to be written to a file
+  drawing.save(testing::TempDir() + "squares.svg");
+  const std::string document = drawing.str();  // what the file holds
   EXPECT_EQ(document.rfind("<svg ", 0), 0u);
   //! [svg]
 }

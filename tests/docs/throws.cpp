@@ -8,6 +8,7 @@
 
 #include "tricover/occupancy_grid_io.h"
 #include "tricover/paper.h"
+#include "tricover/rasterize.h"
 #include "tricover/tricover.h"
 
 namespace tricover {
@@ -19,6 +20,7 @@ const Polygon square = Polygon::box(2, 2);
 const Polygon outside = square.complement();
 const Vec2 p = {0, 0}, q = {5, 0}, bad_point = {0, kInfinity};
 const Touching no_touching = static_cast<Touching>(7);
+const ContactDetail no_detail = static_cast<ContactDetail>(7);
 const Motion still = Motion::still(here), bad_motion = {off}, fast = Motion::translation(here, {kInfinity, 0});
 const Trajectory path({{0, 1, still}}), later({{2, 3, still}});
 
@@ -62,7 +64,6 @@ TEST(Throws, Pairs) {
 }
 
 TEST(Throws, PairsOfOtherValues) {
-  const ContactDetail no_detail = static_cast<ContactDetail>(7);
   const Pose apart = poseAt(9, 0), within = here;
   THROWS(collide.h, collide, std::invalid_argument, collide(square, here, square, here, {0, 0, no_touching}));
   THROWS(paper.h, collide, std::invalid_argument, paper::collide(square, here, square, here, {0, 0, no_touching}));
@@ -216,6 +217,21 @@ TEST(Throws, PosesAndMaps) {
   THROWS(outline.h, outline, std::invalid_argument, outline(fits, IsOccupied()));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap("none.yaml"));
   THROWS(occupancy_grid_io.h, readOccupancyMap, std::runtime_error, readOccupancyMap(__FILE__));
+  OccupancyMap mirrored{fits, here}, odd{{1, 1, {101}}, here};
+  mirrored.pose.linear() << 1, 0, 0, -1;
+  for (const OccupancyMap& bad :
+       {OccupancyMap{too_few, here}, OccupancyMap{flat, here}, OccupancyMap{fits, off}, mirrored, odd})
+    THROWS(occupancy_grid_io.h, writeOccupancyMap, std::invalid_argument, writeOccupancyMap(bad, "none/map.yaml"));
+  THROWS(occupancy_grid_io.h, writeOccupancyMap, std::invalid_argument,
+         writeOccupancyMap({fits, here}, "none/map.yaml", "map.bmp"));
+  THROWS(occupancy_grid_io.h, writeOccupancyMap, std::runtime_error, writeOccupancyMap({fits, here}, "none/map.yaml"));
+  for (const OccupancyGrid& bad : {too_few, flat, far, too_fine}) {
+    THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, bad));
+    THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, OccupancyMap{bad, here}));
+  }
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, off, fits));
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, fits, {kNaN}));
+  THROWS(rasterize.h, rasterize, std::invalid_argument, rasterize(square, here, OccupancyMap{fits, off}));
 }
 
 TEST(Throws, PointsAndRays) {
@@ -258,6 +274,9 @@ TEST(Throws, Drawings) {
   THROWS(svg.h, SvgDrawing, std::invalid_argument, drawing.impact(nowhere_at));
   THROWS(svg.h, SvgDrawing::boxes, std::invalid_argument, drawing.boxes(square, here, -1));
   THROWS(svg.h, SvgDrawing::str, std::logic_error, drawing.str());
+  THROWS(svg.h, SvgDrawing::save, std::logic_error, drawing.save("none/drawing.svg"));
+  drawing.text(p, "some");
+  THROWS(svg.h, SvgDrawing::save, std::runtime_error, drawing.save("none/drawing.svg"));
 }
 
 TEST(Throws, Bodies) {
@@ -284,18 +303,26 @@ TEST(Throws, Bodies) {
   THROWS(scene.h, Scene::polygon, std::out_of_range, scene.polygon(none));
   THROWS(scene.h, Scene::pose, std::out_of_range, scene.pose(none));
   THROWS(scene.h, Scene::options, std::out_of_range, scene.options(none));
+  THROWS(scene.h, Scene::setIgnored, std::out_of_range, scene.setIgnored(body, none));
+  THROWS(scene.h, Scene::setIgnored, std::invalid_argument, scene.setIgnored(body, body));
+  THROWS(scene.h, Scene::isIgnored, std::out_of_range, scene.isIgnored(none, body));
+  scene.add(square, here);
+  THROWS(scene.h, Scene::contacts, std::invalid_argument, scene.contacts(no_detail));
 }
 
 TEST(Throws, SceneQueries) {
   Scene scene;
+  const auto goes_on = [](Scene::Body) { return true; };
   const Scene::Body body = scene.add(square, here), none = body + 1;
   for (const Pose& bad : {off, nowhere}) {
     THROWS(scene.h, Scene::collides, std::invalid_argument, scene.collides(square, bad));
     THROWS(scene.h, Scene::collides, std::invalid_argument, scene.collides(square, std::vector<Pose>{here, bad}));
     THROWS(scene.h, Scene::anyColliding, std::invalid_argument, scene.anyColliding(square, bad));
     THROWS(scene.h, Scene::colliding, std::invalid_argument, scene.colliding(square, bad));
+    THROWS(scene.h, Scene::visitColliding, std::invalid_argument, scene.visitColliding(square, bad, goes_on));
     THROWS(scene.h, Scene::covers, std::invalid_argument, scene.covers(square, bad));
     THROWS(scene.h, Scene::nearest, std::invalid_argument, scene.nearest(square, bad));
+    THROWS(scene.h, Scene::nearest, std::invalid_argument, scene.nearest(square, std::vector<Pose>{here, bad}));
     THROWS(scene.h, Scene::nearestWithin, std::invalid_argument, scene.nearestWithin(square, bad, 1));
     THROWS(scene.h, Scene::nearestK, std::invalid_argument, scene.nearestK(square, bad, 1, 1));
   }
@@ -334,15 +361,48 @@ TEST(Throws, SceneMotions) {
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, still}}, {bad}));
     THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, path}}, {0, bad}));
     THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, path}}, {bad}));
+    THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts({{body, still}}, {bad}));
+    THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, still, {bad}));
+    THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, path, {bad}));
   }
   THROWS(scene.h, Scene::firstImpact, std::invalid_argument, scene.firstImpact(square, bad_motion));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts({{body, bad_motion}}));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts(twice));
   THROWS(scene.h, Scene::impacts, std::invalid_argument, scene.impacts(twice_on));
   THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts(twice_on));
+  THROWS(scene.h, Scene::conflicts, std::invalid_argument, scene.conflicts(twice));
+  THROWS(scene.h, Scene::leastDistance, std::invalid_argument, scene.leastDistance(square, bad_motion));
   THROWS(scene.h, Scene::impacts, std::out_of_range, scene.impacts(std::vector<BodyMotion>{{none, still}}));
   THROWS(scene.h, Scene::impacts, std::out_of_range, scene.impacts(std::vector<BodyTrajectory>{{none, path}}));
-  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts({{none, path}}));
+  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts(std::vector<BodyMotion>{{none, still}}));
+  THROWS(scene.h, Scene::conflicts, std::out_of_range, scene.conflicts(std::vector<BodyTrajectory>{{none, path}}));
+}
+
+TEST(Throws, Recordings) {
+  Scene scene, other;
+  const Scene::Body body = scene.add(square, here);
+  other.add(Polygon::box(1, 1), here);
+  SceneRecording recording;
+  THROWS(recording.h, SceneRecording::str, std::logic_error, recording.str());
+  THROWS(recording.h, SceneRecording::save, std::logic_error, recording.save("nowhere.html"));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.text(p, "no frame yet"));
+  THROWS(recording.h, SceneRecording::frame, std::out_of_range, recording.frame(0, scene, {{body, body + 9}}));
+  recording.frame(0, scene);
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.frame(kNaN, scene));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.ray(p, bad_point));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.text(p, "", TimeInterval{2, 1}));
+  THROWS(recording.h, SceneRecording, std::invalid_argument, recording.nearest(DistanceResult{kInfinity, p, q, 0, 0}));
+  THROWS(recording.h, SceneRecording::frame, std::invalid_argument, recording.frame(0, scene));
+  THROWS(recording.h, SceneRecording::frame, std::invalid_argument, recording.frame(1, other));
+  THROWS(recording.h, SceneRecording::trajectories, std::invalid_argument, recording.trajectories(other, {}));
+  THROWS(recording.h, SceneRecording::trajectories, std::invalid_argument,
+         recording.trajectories(scene, {{body, path}, {body, path}}));
+  THROWS(recording.h, SceneRecording::trajectories, std::out_of_range,
+         recording.trajectories(scene, {{body + 9, path}}));
+  THROWS(recording.h, SceneRecording::name, std::out_of_range, recording.name(body + 9, "none"));
+  THROWS(recording.h, SceneRecording::conflicts, std::out_of_range, recording.conflicts({{{body, body + 9}, {}}}));
+  THROWS(recording.h, SceneRecording::impacts, std::out_of_range, recording.impacts({{{body, body + 9}, {}}}));
+  THROWS(recording.h, SceneRecording::save, std::runtime_error, recording.save("/no/such/folder/page.html"));
 }
 
 }  // namespace

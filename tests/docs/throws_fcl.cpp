@@ -155,6 +155,7 @@ TEST(Throws, Managers) {
   const auto measure = fcl::DefaultDistanceFunction<double>;
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.registerObject(no_object));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.registerObject(&bare));
+  THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.setIgnored(&bare, no_object));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.collide(no_object, &data, callback));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.collide(no_manager, &data, callback));
   THROWS(scene_manager.h, SceneManager, std::invalid_argument, manager.distance(no_object, &gap, measure));

@@ -55,6 +55,21 @@ TEST(SceneManager, callbacksEndQueries) {
   EXPECT_EQ(calls([&](void* data) { manager.collide(&given, data, count); }), 5);
   EXPECT_EQ(calls([&](void* data) { manager.collide(&given, data, countAndStop); }), 1);
   EXPECT_EQ(calls([&](void* data) { manager.collide(&partner, data, countAndStop); }), 1);
+  // A pair that is ignored is shown by none, until one of the two comes anew.
+  manager.setIgnored(objects[1].get(), &query);
+  manager.setIgnored(&query, objects[1].get());
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 1 + 4);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&query, data, count); }), 1);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(data, countOnly); }), 9);
+  EXPECT_EQ(calls([&](void* data) { manager.distance(&query, data, countOnly); }), 3);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(&given, data, count); }), 5);
+  EXPECT_THROW(manager.setIgnored(&query, &query), std::invalid_argument);
+  EXPECT_THROW(manager.setIgnored(&query, &wide), std::invalid_argument);
+  manager.setIgnored(objects[1].get(), &query, false);
+  EXPECT_EQ(calls([&](void* data) { manager.collide(data, count); }), 2 + 4);
+  manager.setIgnored(objects[1].get(), &query);
+  manager.unregisterObject(objects[1].get());
+  manager.registerObject(objects[1].get());
   // A callback that reports no distance is shown all.
   EXPECT_EQ(calls([&](void* data) { manager.distance(data, countOnly); }), 10);
   EXPECT_EQ(calls([&](void* data) { manager.distance(&query, data, countOnly); }), 4);

@@ -132,8 +132,8 @@ class Case {
     time("leastDistance", [&] {
       LeastDistanceOptions least;
       least.margin = margin;
-      least.error = options_.time_error * std::max(std::min(a_.radius(), b_.radius()), 1e-300);
-      if (!std::isfinite(least.error)) least.error = 1e-6;
+      least.absolute_error = options_.time_error * std::max(std::min(a_.radius(), b_.radius()), 1e-300);
+      if (!std::isfinite(least.absolute_error)) least.absolute_error = 1e-6;
       const LeastDistance found = leastDistance(a_, motion_a_, b_, motion_b_, least);
       expect(found.lower_bound <= found.distance, "a least distance");
     });

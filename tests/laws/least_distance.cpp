@@ -42,7 +42,7 @@ std::string wrongOn(const Polygon& a, const Path& path_a, const Polygon& b, cons
   const double rounding = 1.1e-13 * (length + options.margin) + 1e-15 * far;
   if (!(begin <= found.time && found.time <= end)) return "least: time";
   if (!(0 <= found.lower_bound && found.lower_bound <= found.distance)) return "least: bounds";
-  if (!found.budget_ended && !(found.distance - found.lower_bound <= options.error + 2 * rounding))
+  if (!found.budget_ended && !(found.distance - found.lower_bound <= options.absolute_error + 2 * rounding))
     return "least: farther apart than the error allows";
   const DistanceResult there = at(found.time);
   const double left = there.distance - options.margin;
@@ -113,7 +113,7 @@ std::string wrongLeastDistance(const Polygon& a, const Trajectory& trajectory_a,
 
 LeastDistanceOptions anyOptions(Random& random) {
   LeastDistanceOptions options;
-  options.error = std::pow(10, -random.integer(2, 11));
+  options.absolute_error = std::pow(10, -random.integer(2, 11));
   if (random.oneIn(3)) options.margin = 0.25 * random.integer(1, 12);
   return options;
 }
@@ -138,7 +138,7 @@ MovingCase onGrid(Random& random) {
 }
 
 std::string told(const LeastDistance& found, const LeastDistanceOptions& options) {
-  return ", found " + hex(found.distance) + ", error " + hex(options.error) + ", margin " + hex(options.margin) + "\n";
+  return ", found " + hex(found.distance) + ", error " + hex(options.absolute_error) + ", margin " + hex(options.margin) + "\n";
 }
 
 void count(Tally& tally, const LeastDistance& found) {
@@ -162,7 +162,7 @@ std::string wrongShifts(Random& random, Tally& tally) {
   const bool is_at_end = truth > 0 && (found.time == 0 || found.time == 1);
   tally.count("nearest at an end", is_at_end);
   tally.count("nearest between", truth > 0 && !is_at_end);
-  if (!(found.distance >= truth - rounding && found.distance <= std::max(truth, 0.0) + options.error + rounding))
+  if (!(found.distance >= truth - rounding && found.distance <= std::max(truth, 0.0) + options.absolute_error + rounding))
     return "not the exact one, " + hex(truth) + told(found, options) + reproduction(m);
   return wrongOfMotions(m, options, found, 20);
 }
@@ -209,7 +209,7 @@ std::string wrongOfAny(Random& random, Tally& tally) {
   const Case c = anyCase(random, limits);
   const MovingCase m = anyFlight(random, c);
   LeastDistanceOptions options;
-  options.error = smallerRadius(c) * std::pow(10, -random.real(1, 9));
+  options.absolute_error = smallerRadius(c) * std::pow(10, -random.real(1, 9));
   if (random.oneIn(3)) options.margin = smallerRadius(c) * random.unit();
   if (!(smallerRadius(c) > 1e-100 && lengthOf(m) < 1e100)) return {};
   const LeastDistance found = leastDistance(m.a, m.motion_a, m.b, m.motion_b, options);

@@ -232,9 +232,9 @@ Answer askImpact(const Case& c, const Question& q) {
 Answer askLeastDistance(const Case& c, const Question& q) {
   LeastDistanceOptions options;
   options.margin = q.margin;
-  options.error = 0.01 * std::min(c.a.radius(), c.b.radius());
+  options.absolute_error = 0.01 * std::min(c.a.radius(), c.b.radius());
   Telling telling(q);
-  if (!(options.error > 0 && std::isfinite(options.error))) return telling.done();
+  if (!(options.absolute_error > 0 && std::isfinite(options.absolute_error))) return telling.done();
   const Motion still = Motion::still(c.pose_a), moving = motionOf(c, 1);
   const LeastDistance r =
       q.swapped ? leastDistance(c.b, moving, c.a, still, options) : leastDistance(c.a, still, c.b, moving, options);

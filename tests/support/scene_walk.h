@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -20,6 +21,7 @@
 #include "shapes.h"
 #include "tricover/collide.h"
 #include "tricover/distance.h"
+#include "tricover/least_distance.h"
 #include "tricover/ray.h"
 #include "tricover/scene.h"
 #include "tricover/time_of_impact.h"
@@ -57,13 +59,19 @@ class SceneWalk {
       const Scene::Body body = bodies_[index(bodies_.size())];
       scene_.setOptions(body, anyOptions(scene_.polygon(body)));
     }
+    if (random_.oneIn(4)) {
+      const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
+      if (p != q) scene_.setIgnored(p, q, !scene_.isIgnored(q, p));
+    }
     if (random_.oneIn(3)) return;  // nobody asks
     collisions();
-    switch (random_.integer(0, 3)) {
+    switch (random_.integer(0, 4)) {
       case 0:
         return collides();
       case 1:
         return nearest();
+      case 3:
+        return leastDistance();
       case 2:
         for (int i = 0; i < 4; ++i) ray();
         return;
@@ -74,8 +82,8 @@ class SceneWalk {
 
   std::string wrong;  ///< the first thing that was; empty if there is none
   int asked = 0, hits = 0, began = 0, ended = 0;
-  int free = 0, inside = 0;         ///< of queries
-  int impacts_found = 0, rays = 0;  ///< hits
+  int free = 0, inside = 0;                     ///< of queries
+  int impacts_found = 0, rays = 0, leasts = 0;  ///< hits
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -180,7 +188,7 @@ class SceneWalk {
 
   bool mayMeet(Scene::Body p, Scene::Body q) const {
     const BodyOptions &of_p = scene_.options(p), &of_q = scene_.options(q);
-    return (of_p.category & of_q.mask) != 0 && (of_q.category & of_p.mask) != 0;
+    return (of_p.category & of_q.mask) != 0 && (of_q.category & of_p.mask) != 0 && !scene_.isIgnored(p, q);
   }
 
   std::vector<BodyPair> pairs() const {
@@ -283,6 +291,32 @@ class SceneWalk {
     expect(found == expected, "nearestK");
     if (options.limit < kInfinity || count == 0) return;
     check(scene_.nearest(part.polygon, at, options, filter), "nearest without a limit");
+    check(scene_.nearest(part.polygon, std::vector<Pose>{part.pose, at}, options, filter)[1], "nearest of many poses");
+  }
+
+  /// Of a way among the bodies, beside a loop.
+  void leastDistance() {
+    const auto [part, start, filter] = anyQuestion();
+    const Motion way = anyMotion(part.polygon, start);
+    LeastDistanceOptions options;
+    options.absolute_error = sizeOf(part.polygon) * 1e-3;
+    if (!(options.absolute_error > 0)) return;
+    std::optional<std::pair<double, Scene::Body>> expected;
+    for (const Scene::Body body : bodies_) {
+      if (!passes(filter, body)) continue;
+      LeastDistanceOptions both = options;
+      both.margin = sum(options.margin, marginOf(body));
+      const LeastDistance least =
+          tricover::leastDistance(part.polygon, way, scene_.polygon(body), Motion::still(scene_.pose(body)), both);
+      const std::pair found(least.distance, body);
+      if (!expected || found < *expected) expected = found;
+    }
+    const auto found = scene_.leastDistance(part.polygon, way, options, filter);
+    expect(found.has_value() == expected.has_value(), "leastDistance: whether there is one");
+    if (!found || !expected) return;
+    expect(std::pair(found->least.distance, found->body) == *expected, "leastDistance");
+    expect(found->least.lower_bound <= found->least.distance, "leastDistance: bound");
+    ++leasts;
   }
 
   /// Margins aren't met exactly: see Scene::castRay().
@@ -362,7 +396,10 @@ class SceneWalk {
     const Pose start = near(part.polygon, part.pose);
     if (random_.coin()) {
       firstImpact(part.polygon, anyMotion(part.polygon, start), options);
-      if (random_.coin()) allImpacts(someMoving<BodyMotion>(&SceneWalk::anyMotion), options);
+      if (random_.coin()) return;
+      const auto moving = someMoving<BodyMotion>(&SceneWalk::anyMotion);
+      allImpacts(moving, options);
+      allConflicts(moving, options);
     } else {
       firstImpact(part.polygon, anyTrajectory(part.polygon, start), options);
       if (random_.coin()) return;
@@ -438,13 +475,14 @@ class SceneWalk {
     impacts_found += static_cast<int>(found.size());
   }
 
-  void allConflicts(const std::vector<BodyTrajectory>& trajectories, const ImpactOptions& options) {
+  template <typename Moving>
+  void allConflicts(const std::vector<Moving>& motions, const ImpactOptions& options) {
     std::vector<std::tuple<double, BodyPair, double>> expected, found;
-    forEachMovingPair(trajectories, options, [&](const BodyPair& pair, const auto&... operands) {
+    forEachMovingPair(motions, options, [&](const BodyPair& pair, const auto&... operands) {
       for (const Conflict& span : conflicts(operands...)) expected.emplace_back(span.impact.time, pair, span.end);
     });
     std::sort(expected.begin(), expected.end());
-    for (const auto& [pair, span] : scene_.conflicts(trajectories, options))
+    for (const auto& [pair, span] : scene_.conflicts(motions, options))
       found.emplace_back(span.impact.time, pair, span.end);
     expect(found == expected, "conflicts");
   }

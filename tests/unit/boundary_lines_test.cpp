@@ -72,9 +72,9 @@ TEST(PenetrationSearch, ThatEndsEarlyKeepsItsLowerBoundTrue) {
     const Pose pose_b = support::turnedAndMoved(random.real(0, 7), random.real(-0.5, 0.5), random.real(-0.5, 0.5));
     if (!collide(a, pose_a, b, pose_b)) continue;
     for (const double margin : {0.0, 0.05}) {
-      const Penetration whole = penetrationInOrder(a.data(), pose_a, b.data(), pose_b, margin);
+      const Penetration whole = penetrationInOrder(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b, margin);
       for (const std::size_t most : {1u, 4u, 16u, 64u}) {
-        const Penetration cut = penetrationInOrder(a.data(), pose_a, b.data(), pose_b, margin, most);
+        const Penetration cut = penetrationInOrder(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b, margin, most);
         EXPECT_LE(cut.lower_bound, whole.depth + 1e-12) << "case " << i << ", margin " << margin << ", most " << most;
         EXPECT_GE(cut.depth, whole.lower_bound - 1e-12) << "case " << i << ", margin " << margin << ", most " << most;
         unfinished += cut.lower_bound < cut.depth - 1e-9;

@@ -38,15 +38,15 @@ TEST(Displacement, BoundsTheWayOfEveryVertex) {
     for (const Vec2& p : ring) farthest = std::max(farthest, (after * p - before * p).norm());
     double kept[6];
     detail::store(kept, before);
-    const detail::Displacement change(polygon.data(), kept, after);
-    ASSERT_EQ(detail::displacement(polygon.data(), kept, after), change.length());
+    const detail::Displacement change(detail::dataOf(polygon), kept, after);
+    ASSERT_EQ(detail::displacement(detail::dataOf(polygon), kept, after), change.length());
     ASSERT_GE(change.length(), farthest * (1 - 1e-9) - 1e-15);
     if (i % 5 > 1) {
       ASSERT_LE(change.length(), 1.01 * farthest + 1e-12);
     }
     ASSERT_FALSE(change.isBelow(farthest * (1 - 1e-9) - 1e-15));
     ASSERT_TRUE(change.isBelow(1.42 * change.length()));
-    ASSERT_EQ(detail::displacement(polygon.data(), kept, before), 0);
+    ASSERT_EQ(detail::displacement(detail::dataOf(polygon), kept, before), 0);
   }
 }
 
@@ -57,8 +57,8 @@ TEST(Recollection, CountsTheMotionOfBoth) {
                          const std::vector<std::tuple<Pose, Pose, bool>>& asked) {
     for (const bool swapped : {false, true}) {
       PairCache cache;
-      detail::remember(detail::contentsOf(cache).collision, a.data(), Pose::Identity(), b.data(), before, false,
-                       clearance);
+      detail::remember(detail::contentsOf(cache).collision, detail::dataOf(a), Pose::Identity(), detail::dataOf(b),
+                       before, false, clearance);
       for (const auto& [pose_a, pose_b, truth] : asked)
         EXPECT_EQ(swapped ? collide(b, pose_b, a, pose_a, cache) : collide(a, pose_a, b, pose_b, cache), truth)
             << pose_a.translation().x() << " " << pose_b.translation().x();
@@ -102,12 +102,13 @@ TEST(SameAs, SeesEveryEntry) {
 TEST(Claim, EmptiesAnotherPairsCache) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 2, 2)}), c({rectangle(0, 0, 3, 3)});
   detail::Certificate cache;
-  detail::remember(cache, a.data(), turnedAndMoved(0, 1, 2), b.data(), turnedAndMoved(0, 3, 4), true, 5);
+  detail::remember(cache, detail::dataOf(a), turnedAndMoved(0, 1, 2), detail::dataOf(b), turnedAndMoved(0, 3, 4), true,
+                   5);
   cache.first_edge = cache.second_edge = 3;
-  detail::claim(cache, a.data(), b.data());
+  detail::claim(cache, detail::dataOf(a), detail::dataOf(b));
   EXPECT_EQ(cache.first_edge, 3u);
   EXPECT_EQ(cache.clearance, 5);
-  detail::claim(cache, a.data(), c.data());
+  detail::claim(cache, detail::dataOf(a), detail::dataOf(c));
   EXPECT_EQ(cache.first_edge, detail::kNoEdge);
   EXPECT_EQ(cache.second_edge, detail::kNoEdge);
   EXPECT_EQ(cache.clearance, 0);

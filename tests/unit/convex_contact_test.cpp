@@ -39,7 +39,7 @@ Case convexPair(Random& random) {
   near -= random.oneIn(3) ? random.unit() : (random.coin() ? 1 : -1) * std::pow(10, random.real(-17, 0));
   c.pose_b.translation() = c.pose_a.translation() + near * away;
   // The kernel's order.
-  if (c.b.data().unit > c.a.data().unit) {
+  if (detail::dataOf(c.b).unit > detail::dataOf(c.a).unit) {
     std::swap(c.a, c.b);
     std::swap(c.pose_a, c.pose_b);
   }
@@ -73,7 +73,7 @@ TEST(SeparatingAxes, GapIsALowerBoundOfTheDistance) {
   for (int i = 0; i < scaledCount(4000); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Case c = convexPair(random);
-    const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
+    const PosedPair pair(detail::dataOf(c.a), c.pose_a, detail::dataOf(c.b), c.pose_b);
     const SeparatingAxes axes(pair);
     if (axes.verdict() != SeparatingAxes::Apart) continue;
     const double distance = exact::distanceBelow(exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b));
@@ -98,7 +98,7 @@ TEST(SeparatingAxes, HaveAllOfTheLeastFaces) {
       c.b = c.a;
       c.pose_b.linear() = -c.pose_a.linear();
     }
-    const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
+    const PosedPair pair(detail::dataOf(c.a), c.pose_a, detail::dataOf(c.b), c.pose_b);
     const SeparatingAxes axes(pair);
     long double least = INFINITY;
     for (const bool of_a : {true, false})
@@ -182,7 +182,7 @@ TEST(ConvexContact, NamesTheFlatterEdgeAtAVertex) {
                                    {Ring{{1, 3.5}, {3, 3.6}, {3, 6}, {1, 6}}, 0},
                                    {Ring{{1, 6}, {3, 6}, {3, 3.5}, {1, 3.6}}, 2}}) {
     const Polygon leaning({ring});
-    const PosedPair pair(box.data(), here, leaning.data(), here);
+    const PosedPair pair(detail::dataOf(box), here, detail::dataOf(leaning), here);
     const std::optional<Contact> found = convexContact(pair, SeparatingAxes(pair), 0);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->normal, Vec2(0, 1));

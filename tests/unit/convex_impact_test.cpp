@@ -59,8 +59,9 @@ TEST(ConvexImpact, IsTheSearchsWithinTheTimeError) {
     const std::optional<Impact> truth = expectTheSearchs(a, motion_a, b, motion_b, options);
     hits += truth && truth->time > 0;
     misses += !truth;
-    MovingPair pair = b.radius() > a.radius() ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
-                                              : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    MovingPair pair = b.radius() > a.radius()
+                          ? MovingPair(detail::dataOf(b), motion_b, detail::dataOf(a), motion_a, options.margin)
+                          : MovingPair(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b, options.margin);
     pair.prepare();
     if (!isConvexPair(pair)) continue;
     ++convex;
@@ -91,7 +92,7 @@ TEST(ConvexImpact, NearlyStraightChainsAreSeenWhole) {
     motion_b.start.translation() = motion_a.start * Vec2(random.real(-14, 14), random.real(-9, -0.01));
     motion_b.shift = motion_a.start.linear() * Vec2(0, random.real(0, 10));
     if (random.coin()) motion_a.angle = random.real(-1, 1);
-    MovingPair pair(a.data(), motion_a, b.data(), motion_b);
+    MovingPair pair(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b);
     pair.prepare();
     ASSERT_TRUE(isConvexPair(pair));
     hits += expectTheSearchs(a, motion_a, b, motion_b, {}).has_value();
@@ -135,7 +136,7 @@ Slide anySlide(Random& random) {
   moving.start.translation() = still.start * a.coveringOrigin() + start - moving.start * b.coveringOrigin();
   moving.shift = drift - random.real(0.5, 2) * (Eigen::Rotation2Dd(random.real(-1, 1)) * start);
   moving.pivot = b.coveringOrigin() + (random.oneIn(4) ? Vec2(size, 0) : Vec2(0, 0));
-  if (b.data().isPoint() && random.coin()) moving.angle = random.real(-3, 3);
+  if (detail::dataOf(b).isPoint() && random.coin()) moving.angle = random.real(-3, 3);
   return {a, b, still, moving, random.oneIn(3) ? size * random.real(0, 0.5) : 0};
 }
 
@@ -162,10 +163,11 @@ TEST(ConvexImpact, SlidesAreSolvedAtOnce) {
     ++apart;
     const bool swaps = b.radius() > a.radius();
     Impact found{};
-    const FirstContact contact = swaps ? slideConvex(b.data(), motion_b, a.data(), motion_a, margin, found)
-                                       : slideConvex(a.data(), motion_a, b.data(), motion_b, margin, found);
+    const FirstContact contact =
+        swaps ? slideConvex(detail::dataOf(b), motion_b, detail::dataOf(a), motion_a, margin, found)
+              : slideConvex(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b, margin, found);
     const auto isSmall = [](const Polygon& polygon) {
-      const PolygonData* corners = cornersOf(polygon.data());
+      const PolygonData* corners = cornersOf(detail::dataOf(polygon));
       return corners != nullptr && corners->path.size() <= SmallPolygon::kMost + 1;
     };
     const bool is_plain = isSmall(a) && isSmall(b) && motion_b.angle == 0 && margin == 0;
@@ -203,7 +205,7 @@ TEST(ConvexImpact, SlidesEndWhereTheirLastEdgeIsMet) {
         Motion::translation(turnedAndMoved(0, start.x(), start.y()), -random.real(0.5, 2) * start + a.coveringOrigin());
     const std::optional<Impact> impact = timeOfImpact(a, {}, b, motion, {0, 1e-9});
     if (!impact || impact->time == 0) continue;
-    const PolygonData &of_a = a.data(), &of_b = b.data();
+    const PolygonData &of_a = detail::dataOf(a), &of_b = detail::dataOf(b);
     const PolygonData *corners_a = cornersOf(of_a), *corners_b = cornersOf(of_b);
     if (corners_a == nullptr || corners_b == nullptr) continue;
     ++hits;
@@ -225,8 +227,9 @@ TEST(ConvexImpact, WhatStandsStillHasAnEdgeThatPartsIt) {
   for (const int n : {3, 8, 12})
     for (const int m : {3, 8, 12}) {
       const Polygon a({regular(n, 5)}), b({regular(m, 4)});
-      const SmallPolygon &ring_a = *hierarchyOf(a.data()).small, &ring_b = *hierarchyOf(b.data()).small;
-      const UnitMap map = {1, 0, 0, 1, 0, 0, b.data().unit * a.data().inverse_unit, 0};
+      const SmallPolygon &ring_a = *hierarchyOf(detail::dataOf(a)).small,
+                         &ring_b = *hierarchyOf(detail::dataOf(b)).small;
+      const UnitMap map = {1, 0, 0, 1, 0, 0, detail::dataOf(b).unit * detail::dataOf(a).inverse_unit, 0};
       const ConvexGap entry = convexEntry(ring_a, ring_b, map, 0, 0, 0);
       EXPECT_LT(entry.edge, entry.of_a ? ring_a.count : ring_b.count) << n << " x " << m;
       const std::optional<Impact> impact = timeOfImpact(a, {}, b, {});
@@ -239,9 +242,9 @@ TEST(ConvexImpact, WhatStandsStillHasAnEdgeThatPartsIt) {
 TEST(TimeOfImpact, BuildsNothingWhereDiscsStayApart) {
   const Polygon a({rectangle(-1, -1, 1, 1)}), b({rectangle(-1, -1, 1, 1)});
   EXPECT_FALSE(timeOfImpact(a, {}, b, Motion::translation(turnedAndMoved(0, -9, 4), Vec2(18, 0))).has_value());
-  EXPECT_TRUE(topIfBuilt(a.data()) == nullptr && topIfBuilt(b.data()) == nullptr);
+  EXPECT_TRUE(topIfBuilt(detail::dataOf(a)) == nullptr && topIfBuilt(detail::dataOf(b)) == nullptr);
   EXPECT_TRUE(timeOfImpact(a, {}, b, Motion::translation(turnedAndMoved(0, -9, 0), Vec2(18, 0))).has_value());
-  EXPECT_NE(topIfBuilt(a.data()), nullptr);
+  EXPECT_NE(topIfBuilt(detail::dataOf(a)), nullptr);
 }
 
 }  // namespace

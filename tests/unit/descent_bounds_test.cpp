@@ -124,8 +124,8 @@ const std::vector<Family>& tightFamilies() {
 }
 
 PosedPair largerFirst(const Case& c) {
-  if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
-  return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
+  if (c.a.radius() >= c.b.radius()) return {detail::dataOf(c.a), c.pose_a, detail::dataOf(c.b), c.pose_b};
+  return {detail::dataOf(c.b), c.pose_b, detail::dataOf(c.a), c.pose_a};
 }
 
 class Descents : public testing::TestWithParam<Family> {};
@@ -219,7 +219,7 @@ TEST(RootGap, IsTheBoxesSeparationButForRounding) {
     };
     const Polygon a = polygon(1), b = polygon(i % 2 ? 0.3 : 0.01);
     const Pose pose_a = randomPose(random, 0.9), pose_b = mirrored(randomPose(random, 0.9));
-    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const PosedPair pair(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b);
     const detail::UnitMap map = pair.inUnits();
     const detail::Box &box_a = hierarchyOf(pair.a).root, &box_b = hierarchyOf(pair.b).root;
     const double gap = detail::rootGap(box_a, box_b, map);
@@ -278,7 +278,7 @@ TEST(InnerDepth, IsNoMoreThanTheDiscsOverlap) {
 /// No disc fits into an angle of two bars that thin: its S, outside of it, is no point of its region.
 TEST(InnerDiscs, OfARegionThatHasNoneMeetNothing) {
   const Polygon angle({{{-8, -8}, {8, -8}, {8, -8 + 1e-9}, {-8 + 1e-9, -8 + 1e-9}, {-8 + 1e-9, 8}, {-8, 8}}});
-  ASSERT_EQ(innerDiscsOf(angle.data()).largest, 0);
+  ASSERT_EQ(innerDiscsOf(detail::dataOf(angle)).largest, 0);
   const Polygon block({rectangle(-2, -2, 2, 2)});
   for (const Vec2& at : {angle.coveringOrigin(), Vec2(angle.coveringOrigin() + Vec2(0.5, 0.5))}) {
     const Pose pose_b = turnedAndMoved(0, at.x(), at.y());
@@ -294,7 +294,8 @@ TEST(Clearance, OfOverlappingRegionsIsThere) {
   int claims = 0;
   for (double x = 0; x < 1.8; x += 0.05) {
     const Pose here = Pose::Identity(), there = turnedAndMoved(0, x, 0);
-    const Outcome outcome = collideByHierarchy({a.data(), here, b.data(), there}, {}, 0, Wanted::Clearance);
+    const Outcome outcome =
+        collideByHierarchy({detail::dataOf(a), here, detail::dataOf(b), there}, {}, 0, Wanted::Clearance);
     ASSERT_TRUE(outcome.collides);
     if (outcome.clearance == 0) continue;
     ++claims;
@@ -356,7 +357,7 @@ TEST(Ray, ThroughVerticesFarAway) {
   const Polygon scanned({regular(40000, 1)}), built({regular(40000, 1)});
   const Vec2 far(5e7, -7e7);
   const Polygon dot({shifted(rectangle(0, 0, 1, 1), far)});
-  hierarchyOf(built.data());
+  hierarchyOf(detail::dataOf(built));
   const UpTo only(detail::Stages::Edges);
   for (int i = 0; i < scaledCount(1000); ++i) {
     const Vec2 v = built.edgeStart(anyEdge(random, built));
@@ -366,11 +367,11 @@ TEST(Ray, ThroughVerticesFarAway) {
     const Pose frame = turnedAndMoved(random.real(0, 6.28), 0, 0);
     Pose pose_dot = turnedAndMoved(random.real(0, 6.28), 0, 0);
     pose_dot.translation() = frame * point - pose_dot * far;
-    const PosedPair by_tree(built.data(), frame, dot.data(), pose_dot),
-        by_scan(scanned.data(), frame, dot.data(), pose_dot);
+    const PosedPair by_tree(detail::dataOf(built), frame, detail::dataOf(dot), pose_dot),
+        by_scan(detail::dataOf(scanned), frame, detail::dataOf(dot), pose_dot);
     ASSERT_EQ(detail::locateInA(by_tree, far), detail::locateInA(by_scan, far));
   }
-  ASSERT_EQ(hierarchyIfBuilt(scanned.data()), nullptr) << "so it was scanned";
+  ASSERT_EQ(hierarchyIfBuilt(detail::dataOf(scanned)), nullptr) << "so it was scanned";
 }
 
 #ifndef NDEBUG
@@ -378,7 +379,8 @@ TEST(Ray, ThroughVerticesFarAway) {
 TEST(DescentDeathTest, APairOutOfOrderIsStopped) {
   const Polygon small({regular(5, 1)}), large({regular(5, 100)});
   const Pose here = Pose::Identity();
-  const PosedPair in_order(large.data(), here, small.data(), here), swapped(small.data(), here, large.data(), here);
+  const PosedPair in_order(detail::dataOf(large), here, detail::dataOf(small), here),
+      swapped(detail::dataOf(small), here, detail::dataOf(large), here);
   EXPECT_LE(in_order.inUnits().scale, 1);
   EXPECT_DEATH(swapped.inUnits(), "unit");
 }

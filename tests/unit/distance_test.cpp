@@ -217,7 +217,7 @@ Motion slide(double x, double y, const Vec2& shift) { return Motion::translation
 
 LeastDistanceOptions within(double error, double margin = 0) {
   LeastDistanceOptions options;
-  options.error = error;
+  options.absolute_error = error;
   options.margin = margin;
   return options;
 }
@@ -357,9 +357,9 @@ TEST(LeastDistance, RefusesBadOptions) {
   };
   for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_NE(refused(within(1e-6, bad)).find("margin"), std::string::npos);
-    EXPECT_NE(refused(within(bad)).find("error"), std::string::npos);
+    EXPECT_NE(refused(within(bad)).find("absolute_error"), std::string::npos);
   }
-  EXPECT_NE(refused(within(0)).find("error"), std::string::npos);
+  EXPECT_NE(refused(within(0)).find("absolute_error"), std::string::npos);
   Motion far = still(0, 0);
   far.shift.x() = std::nan("");
   EXPECT_NE(refusal([&] { leastDistance(square, far, square, still(0, 0)); }).find("motion_a"), std::string::npos);

@@ -87,7 +87,7 @@ TEST(Boxes, HoldTheirEdgesWithRoomToSpare) {
   int deepest = 0;
   for (int i = 0; i < scaledCount(200); ++i) {
     const Polygon polygon = outline(random, anySize(random));
-    const PolygonData& data = polygon.data();
+    const PolygonData& data = detail::dataOf(polygon);
     const Hierarchy& hierarchy = hierarchyOf(data);
     std::vector<int> leaves(data.path.size());
     std::size_t boxes = 0;
@@ -137,7 +137,7 @@ TEST(InnerDiscs, AreInTheRegion) {
   for (int i = 0; i < cases; ++i) {
     const double size = random.coin() ? 1 : random.coin() ? 1e-200 : 1e200;
     const Polygon polygon = outline(random, size);
-    const PolygonData& data = polygon.data();
+    const PolygonData& data = detail::dataOf(polygon);
     const detail::InnerDiscs& inner = innerDiscsOf(data);
     if (inner.largest > 0) expectInside(polygon, inner.center, inner.largest);
     found += inner.largest > 0;
@@ -171,7 +171,7 @@ TEST(InnerDiscs, DepthsAreMeasuredWithinTheirError) {
     }
     const Polygon polygon({ring, shifted(star(random, 5, 0.5, 4), {1, 1})},
                           random.coin() ? FillRule::EvenOdd : FillRule::NonZero);
-    const PolygonData& data = polygon.data();
+    const PolygonData& data = detail::dataOf(polygon);
     ASSERT_TRUE(detail::ThinnedOutline::isWhole(data));
     detail::DepthProbes probes;
     for (int k = 0; k < kLanes; ++k) {
@@ -209,7 +209,7 @@ TEST(InnerDiscs, AreNotInAHoleThatTheSearchOverlooks) {
   const Polygon frame({regular(2000, 10), rectangle(-5, -5, 5, 5)}), peg({regular(40, 1)}),
       two({regular(2000, 10), shifted(regular(2000, 8), {19, 0}), rectangle(15, -4, 23, 4)});
   for (const Polygon* polygon : {&frame, &two}) {
-    const PolygonData& data = polygon->data();
+    const PolygonData& data = detail::dataOf(*polygon);
     const detail::InnerDiscs& discs = innerDiscsOf(data);
     ASSERT_GT(discs.count, 0);
     for (int k = 0; k < discs.count; ++k)
@@ -223,7 +223,7 @@ TEST(InnerDiscs, OfATriangleFarAway) {
   for (int k = 0; k < 200; ++k) {
     const double far = (k % 2 == 0 ? 0x1p30 : 0x1p42) * (1 + 0.013 * k);
     const Polygon triangle({{{far, far}, {far + 1, far + 0.25}, {far + 0.125 * (k % 7), far + 1}}});
-    const detail::InnerDiscs& discs = innerDiscsOf(triangle.data());
+    const detail::InnerDiscs& discs = innerDiscsOf(detail::dataOf(triangle));
     ASSERT_GT(discs.largest, 0);
     expectInside(triangle, discs.center, discs.largest);
   }

@@ -84,29 +84,35 @@ TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
   const Polygon b({rectangle(0, 0, 1, 1)}), c({rectangle(0, 0, 1, 1)}), a({rectangle(0, 0, 3, 3)});
   const Pose here = Pose::Identity(), there = turnedAndMoved(0.1, 2, 3);
   // The larger first, whatever the poses. Of equal ones the poses decide, and never which one was made first.
-  EXPECT_TRUE(detail::inOrder(a.data(), here, b.data(), there));
-  EXPECT_FALSE(detail::inOrder(b.data(), there, a.data(), here));
-  EXPECT_NE(detail::inOrder(b.data(), there, c.data(), here), detail::inOrder(c.data(), here, b.data(), there));
-  EXPECT_EQ(detail::inOrder(b.data(), there, c.data(), here), detail::inOrder(c.data(), there, b.data(), here));
+  EXPECT_TRUE(detail::inOrder(detail::dataOf(a), here, detail::dataOf(b), there));
+  EXPECT_FALSE(detail::inOrder(detail::dataOf(b), there, detail::dataOf(a), here));
+  EXPECT_NE(detail::inOrder(detail::dataOf(b), there, detail::dataOf(c), here),
+            detail::inOrder(detail::dataOf(c), here, detail::dataOf(b), there));
+  EXPECT_EQ(detail::inOrder(detail::dataOf(b), there, detail::dataOf(c), here),
+            detail::inOrder(detail::dataOf(c), there, detail::dataOf(b), here));
   // Under equal poses the edges decide, wherever a ring begins and whichever way it runs.
   Ring ring = rectangle(0, 0, 1, 1);
   const Polygon slanted({{{0, 0}, {1, 0}, {1, 1}, {0, 0.5}}}), moved({{ring[2], ring[3], ring[0], ring[1]}}),
       reversed({{ring[3], ring[2], ring[1], ring[0]}});
-  for (const Polygon* same : {&moved, &reversed}) EXPECT_EQ(detail::compareEdges(b.data(), same->data()), 0);
-  EXPECT_EQ(detail::compareEdges(b.data(), slanted.data()), -detail::compareEdges(slanted.data(), b.data()));
-  EXPECT_NE(detail::compareEdges(b.data(), slanted.data()), 0);
+  for (const Polygon* same : {&moved, &reversed})
+    EXPECT_EQ(detail::compareEdges(detail::dataOf(b), detail::dataOf(*same)), 0);
+  EXPECT_EQ(detail::compareEdges(detail::dataOf(b), detail::dataOf(slanted)),
+            -detail::compareEdges(detail::dataOf(slanted), detail::dataOf(b)));
+  EXPECT_NE(detail::compareEdges(detail::dataOf(b), detail::dataOf(slanted)), 0);
   // Of one polygon, any pose that differs by any entry comes before or after, the sign of a zero included.
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 3; ++column) {
       Pose other = there;
       other.matrix()(row, column) = nudged(there.matrix()(row, column), 1);
-      ASSERT_NE(detail::inOrder(a.data(), there, a.data(), other), detail::inOrder(a.data(), other, a.data(), there));
+      ASSERT_NE(detail::inOrder(detail::dataOf(a), there, detail::dataOf(a), other),
+                detail::inOrder(detail::dataOf(a), other, detail::dataOf(a), there));
     }
   }
   Pose negative = here;
   negative.translation().x() = -0.0;
-  EXPECT_NE(detail::inOrder(a.data(), here, a.data(), negative), detail::inOrder(a.data(), negative, a.data(), here));
-  EXPECT_TRUE(detail::inOrder(a.data(), there, a.data(), there));
+  EXPECT_NE(detail::inOrder(detail::dataOf(a), here, detail::dataOf(a), negative),
+            detail::inOrder(detail::dataOf(a), negative, detail::dataOf(a), here));
+  EXPECT_TRUE(detail::inOrder(detail::dataOf(a), there, detail::dataOf(a), there));
   // And of one polygon and two motions.
   const Motion still = Motion::still(there);
   for (const auto change :
@@ -114,7 +120,8 @@ TEST(KernelOrder, IsTotalAndTellsTheZerosApart) {
         +[](Motion& m) { m.pivot.x() = 1; }, +[](Motion& m) { m.pivot.y() = -0.0; }}) {
     Motion other = still;
     change(other);
-    EXPECT_NE(detail::inOrder(a.data(), still, a.data(), other), detail::inOrder(a.data(), other, a.data(), still));
+    EXPECT_NE(detail::inOrder(detail::dataOf(a), still, detail::dataOf(a), other),
+              detail::inOrder(detail::dataOf(a), other, detail::dataOf(a), still));
   }
 }
 

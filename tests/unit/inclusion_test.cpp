@@ -54,7 +54,7 @@ Polygon manyRings(Random& random, double size) {
 
 /// Anywhere, on the grid, at vertices and beside them, on edges but for rounding.
 Vec2 somePoint(Random& random, const Polygon& polygon, double size) {
-  const detail::PolygonData& data = polygon.data();
+  const detail::PolygonData& data = detail::dataOf(polygon);
   const auto position = static_cast<std::size_t>(random.integer(0, static_cast<int>(data.path.size()) - 2));
   const Vec2 v = data.path[position], w = data.path[position + 1];
   switch (random.integer(0, 4)) {
@@ -76,8 +76,8 @@ struct Tally {
 
   /// By the edges along a ray, which is expected to be as by all edges.
   Inclusion locate(const Polygon& polygon, const IncludedPoint& point) {
-    const Inclusion found = includeInPolygon(polygon.data(), point),
-                    truth = includeInDisc(polygon.data(), nullptr, point);
+    const Inclusion found = includeInPolygon(detail::dataOf(polygon), point),
+                    truth = includeInDisc(detail::dataOf(polygon), nullptr, point);
     EXPECT_EQ(found.location, truth.location);
     EXPECT_EQ(found.winding, truth.winding);
     ++all;
@@ -114,7 +114,7 @@ TEST(Inclusion, AlongARayUnderPoses) {
     const Pose pose_a = turnedAndMoved(random.real(0, 6.28), shift.x(), shift.y());
     const Vec2 at = pose_a * somePoint(random, polygon, 1);
     const Pose pose_b = turnedAndMoved(random.real(0, 6.28), at.x(), at.y());
-    const detail::PosedPair pair(polygon.data(), pose_a, few.data(), pose_b);
+    const detail::PosedPair pair(detail::dataOf(polygon), pose_a, detail::dataOf(few), pose_b);
     const Vec2 p(0, random.coin() ? 0 : 1e-17);
     points.locate(polygon, detail::seenFromA(pair, p));
   });
@@ -123,7 +123,7 @@ TEST(Inclusion, AlongARayUnderPoses) {
 /// A point that is known only so far that it may seem to be beyond an edge, as a far pose makes of it.
 TEST(Inclusion, AlongARayOfPointsKnownRoughly) {
   checkPoints(2000, 200, 100, false, [](Random& random, const Polygon& polygon, double, int, Tally& points) {
-    const double error = polygon.data().unit * std::pow(2, random.integer(-23, -21));
+    const double error = detail::dataOf(polygon).unit * std::pow(2, random.integer(-23, -21));
     const auto aside = [&]() -> Vec2 { return error * Vec2(random.integer(-1, 1), random.integer(-1, 1)); };
     const Vec2 p = somePoint(random, polygon, 1) + 0.5 * aside(), seen = p + aside();
     points.locate(polygon, {nullptr, {seen.x(), seen.y(), 1.001 * error}, {nullptr, p}});

@@ -73,7 +73,7 @@ TEST(InfluenceField, CellsKnowHowFarTheOutlineIsAndOnWhichSide) {
     Random random(static_cast<std::uint64_t>(i));
     const double size = random.oneIn(3) ? std::pow(10, random.real(-300, 300)) : 1;
     const Polygon polygon = anyOutline(random).translated({random.real(-9, 9), 0}).scaled(size);
-    const PolygonData& data = polygon.data();
+    const PolygonData& data = detail::dataOf(polygon);
     const InfluenceField field(data);
     EXPECT_LE(field.bytes(), 40 * data.path.size() + 4096) << i;
     for (int k = 0; k < 200; ++k) {
@@ -109,7 +109,7 @@ TEST(InfluenceField, CountsAVertexAtARowsMiddleOnce) {
   ring.insert(ring.end(), {{0.5, kHigh}, {-0.5, kHigh}});
   for (int k = 29; k >= 0; --k) ring.push_back({-0.5, -kHigh + (k + 0.5) * kRow});
   const Polygon polygon({ring});
-  const PolygonData& data = polygon.data();
+  const PolygonData& data = detail::dataOf(polygon);
   ASSERT_EQ(data.origin, Vec2(0, 0));
   const InfluenceField field(data);
   ASSERT_EQ(field.side() * data.unit, kRow);
@@ -139,7 +139,7 @@ TEST(InfluenceField, ShowsAllEdgesNearABox) {
   for (int i = 0; i < scaledCount(100); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon polygon = anyOutline(random);
-    const PolygonData& data = polygon.data();
+    const PolygonData& data = detail::dataOf(polygon);
     const InfluenceField field(data);
     for (int k = 0; k < 20; ++k) {
       const Vec2 middle(random.real(-1, 1), random.real(-1, 1)), half(random.unit() * 0.2, random.unit() * 0.2);
@@ -213,8 +213,8 @@ TEST(InfluenceField, NoAnswerDependsOnIt) {
         EXPECT_EQ(collide(with, pose_a, small, pose_b, cache, {margin, 0}), expected.meet) << i << ", " << k;
       ++(expected.meet ? hits : misses);
     }
-    fields += detail::topOf(with.data()).field.ifBuilt() != nullptr;
-    EXPECT_EQ(detail::topOf(without.data()).field.ifBuilt(), nullptr) << i;
+    fields += detail::topOf(detail::dataOf(with)).field.ifBuilt() != nullptr;
+    EXPECT_EQ(detail::topOf(detail::dataOf(without)).field.ifBuilt(), nullptr) << i;
   }
   EXPECT_GE(std::min(hits, misses), scaledCount(150) * 60 / 10);
   EXPECT_GE(fields, scaledCount(150) / 2);

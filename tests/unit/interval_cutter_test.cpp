@@ -98,7 +98,7 @@ TEST(IntervalCutter, NeverCutsContactOff) {
     const Vec2 point_a = on(a, edge_a, vertex_of_a), point_b = on(b, edge_b, !vertex_of_a || random.oneIn(4));
     motion_b.start.translation() += motion_a.at(met) * point_a - motion_b.at(met) * point_b;
 
-    MovingPair pair(a.data(), motion_a, b.data(), motion_b);
+    MovingPair pair(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b);
     pair.prepare();
     const TimeInterval interval(pair, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
@@ -111,7 +111,7 @@ TEST(IntervalCutter, NeverCutsContactOff) {
     }
     // Moved aside by a little, they are parted where the bounds are of any use.
     motion_b.start.translation() += Vec2(0.3, 0.4) * anySize(random);
-    const MovingPair aside(a.data(), motion_a, b.data(), motion_b);
+    const MovingPair aside(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b);
     const TimeInterval other(aside, begin, begin + length);
     for (int way = 0; way < kWays; ++way) {
       const Rest rest = restBy(way, other, edge_a, edge_b);

@@ -12,6 +12,7 @@
 #include "random.h"
 #include "refusal.h"
 #include "shapes.h"
+#include "tricover/trajectory.h"
 
 namespace tricover::support {
 namespace {
@@ -124,6 +125,19 @@ TEST(Motion, SplineOfControlPointsIsTheUniformCubicBSpline) {
       ASSERT_LT((motion.at(t).linear() - Eigen::Rotation2Dd(turn).toRotationMatrix()).norm(), 1e-13);
     }
   }
+}
+
+TEST(Motion, ASplineRestsAtItsKnotsExactly) {
+  const Vec2 pivot(0.3, -0.7);
+  const TimedKnot first{1, {{0.1, 0.2}, kPi / 2, {3, 1}, 0.5}}, last{4, {{7.7, -0.3}, -kPi, {0, 2}, -1}};
+  const Trajectory spline = Trajectory::spline({first, {2, {{3, 1}, 1, {1, 1}, 1}}, last}, pivot);
+  for (const TimedKnot& knot : {first, last}) {
+    const Pose at = spline.at(knot.time);
+    EXPECT_EQ(at.linear(), poseAt(0, 0, knot.end.angle).linear());
+    EXPECT_EQ(at.translation(), knot.end.position - at.linear() * pivot);
+    EXPECT_EQ(std::abs(at.linear()(0, 0)) + std::abs(at.linear()(0, 1)), 1);  // exact quarter turns
+  }
+  EXPECT_EQ(spline.at(9).matrix(), spline.at(4).matrix());
 }
 
 TEST(Motion, BetweenRefusesAMirror) {

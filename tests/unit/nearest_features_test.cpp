@@ -133,7 +133,7 @@ TEST(NearestFeatures, GivesTheSameBitsAsAllPairsOfEdges) {
     Case c = random.oneIn(32) ? sideBySide(random) : convexPair(random);
     if (c.a.radius() < c.b.radius()) c = {c.b, c.pose_b, c.a, c.pose_a};
     SCOPED_TRACE(i);
-    const PosedPair pair(c.a.data(), c.pose_a, c.b.data(), c.pose_b);
+    const PosedPair pair(detail::dataOf(c.a), c.pose_a, detail::dataOf(c.b), c.pose_b);
     const Found found = nearestOf(pair);
     if (found.meeting == Meeting::Unknown) continue;
     ASSERT_EQ(found.meeting == Meeting::Meet, collide(c.a, c.pose_a, c.b, c.pose_b));
@@ -202,7 +202,7 @@ TEST(NearestFeatures, SeesCrossingsThatAreCertain) {
     const double x = random.real(-1, 1), beyond = random.coin() ? 0.1 : std::ldexp(1.0, -random.integer(40, 53));
     const Vec2 tip = to_b * Vec2(x, random.coin() ? beyond : -beyond), from = to_b * Vec2(x + 0.5, -1);
     const Polygon b({{from, tip, from + Vec2(0.1, 0.1)}});
-    const PosedPair pair(a.data(), at_a, b.data(), at_b);
+    const PosedPair pair(detail::dataOf(a), at_a, detail::dataOf(b), at_b);
     EdgeDistance point;
     const bool meets = edgesMeet(pair, 0, 0), is_seen = EdgeDistances::cross(PosedVertices(pair), 0, 0, point);
     ASSERT_TRUE(!is_seen || meets) << reproduction({a, at_a, b, at_b});
@@ -227,7 +227,7 @@ TEST(NearestFeatures, ProvesWhereTheyMeet) {
       const Pose at_b = randomPose(random, 1);
       for (Vec2& p : ring) p = at_b.inverse() * p;
       const Polygon b({ring});
-      const PosedPair pair(square.data(), here, b.data(), at_b);
+      const PosedPair pair(detail::dataOf(square), here, detail::dataOf(b), at_b);
       const Found nearest = nearestOf(pair);
       found += nearest.crosses();
       expectToMeet(pair, nearest);
@@ -280,7 +280,7 @@ TEST(NearestFeatures, LeavesToOthersWhatIsNotStrictlyConvexOrNotApart) {
   const Pose here = Pose::Identity();
   for (const auto& [name, a, b, shift, meeting] : table) {
     const Pose there = turnedAndMoved(0, shift.x(), shift.y());
-    EXPECT_EQ(nearestOf(PosedPair(a.data(), here, b.data(), there)).meeting, meeting) << name;
+    EXPECT_EQ(nearestOf(PosedPair(detail::dataOf(a), here, detail::dataOf(b), there)).meeting, meeting) << name;
   }
 }
 
@@ -291,7 +291,7 @@ TEST(NearestFeatures, AreUniqueWhereBothNeighboursFallAwaySteeplyEnough) {
   for (const double before : {0x1p-17, 0x1p-23})
     for (const double after : {0x1p-17, 0x1p-23}) {
       const Polygon a({{{-1, -4}, {1, -4}, {1, -before}, {0, 0}, {-1, -after}}});
-      const Found nearest = nearestOf(PosedPair(a.data(), still, b.data(), still));
+      const Found nearest = nearestOf(PosedPair(detail::dataOf(a), still, detail::dataOf(b), still));
       ASSERT_TRUE(nearest.are_apart);
       EXPECT_EQ(nearest.is_unique, before > 0x1p-20 && after > 0x1p-20) << before << ", " << after;
     }
@@ -304,7 +304,7 @@ TEST(NearestFeatures, GoesOnAlongBothOutlines) {
   int were_tried = 0;
   for (int i = 0; i < 200; ++i) {
     const Pose here = Pose::Identity(), there = turnedAndMoved(-0.013 * i, -1.0 + 0.01 * i, 1.01);
-    const PosedVertices vertices(PosedPair(floor.data(), here, wheel.data(), there));
+    const PosedVertices vertices(PosedPair(detail::dataOf(floor), here, detail::dataOf(wheel), there));
     const NearestFeatures nearest = findNearestFeatures(vertices, tried);
     ASSERT_TRUE(nearest.are_apart) << i;
     EXPECT_NEAR(nearest.foot.distance, distance(floor, here, wheel, there).distance, 1e-9) << i;

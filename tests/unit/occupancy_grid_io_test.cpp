@@ -3,64 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <locale>
-#include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "map_folder.h"
 
 namespace tricover {
 namespace {
 
-/// A map of 3 x 2 cells, of which a test replaces what it is about.
-class OccupancyGridIo : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("tricover_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    write("map.pgm", "P2\n# by hand\n3 2\n255\n0 254 205\n254 0 254\n");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  /// The map of the usual keys, one of which may be another line, or none.
-  OccupancyMap map(const std::string& key = "", const std::string& line = "") const {
-    std::string text;
-    for (const std::string usual : {"image: map.pgm", "resolution: 0.05", "origin: [-1.5, 2.0, 0.5]  # in metres",
-                                    "negate: 0", "occupied_thresh: 0.65", "free_thresh: 0.196", "mode: 'trinary'"})
-      text += (!key.empty() && usual.rfind(key, 0) == 0 ? line : usual) + "\n";
-    write("map.yaml", text);
-    return readOccupancyMap(path("map.yaml"));
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  template <typename Call>
-  static std::string errorOf(Call&& call) {
-    try {
-      call();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-  std::string errorWith(const std::string& key, const std::string& line) const {
-    return errorOf([&] { map(key, line); });
-  }
-  std::string errorOfImage(const std::string& image) const {
-    write("map.pgm", image);
-    return errorOf([&] { map(); });
-  }
-
-  std::filesystem::path folder_;
-};
-
-using Cells = std::vector<std::int8_t>;
+using OccupancyGridIo = MapFolder;
 
 TEST_F(OccupancyGridIo, TheFirstRowOfTheImageIsTheLastOfTheMap) {
   const OccupancyMap found = map();
@@ -119,6 +71,31 @@ TEST_F(OccupancyGridIo, ThresholdsAreReachedByWhatIsAsMuch) {
   EXPECT_EQ(cells("1", "0.5"), (Cells{100, 0, 0}));
 }
 
+// As nav2 reads them.
+TEST_F(OccupancyGridIo, ModeScaleGradesWhatIsBetweenTheThresholds) {
+  write("map.pgm", "P2 6 1 200  0 50 100 101 150 200");  // p is 1, 0.75, 0.5, 0.495, 0.25, 0
+  const auto cells = [&](const std::string& fields) {
+    write("map.yaml", "image: map.pgm\nresolution: 1\norigin: [0, 0, 0]\n" + fields);
+    return readOccupancyMap(path("map.yaml")).grid.cells;
+  };
+  const std::string wide = "\nnegate: 0\noccupied_thresh: 0.75\nfree_thresh: 0.25\n";
+  for (const std::string scale : {"mode: scale", "mode: SCALE", "trinary: false", "trinary: 0\nmode: scale"})
+    EXPECT_EQ(cells(scale + wide), (Cells{100, 100, 50, 49, 0, 0})) << scale;
+  EXPECT_EQ(cells("mode: trinary" + wide), (Cells{100, 100, -1, -1, 0, 0}));
+  EXPECT_EQ(cells("mode: scale\nnegate: 1\noccupied_thresh: 1\nfree_thresh: 0\n"), (Cells{0, 25, 50, 51, 75, 100}));
+  EXPECT_EQ(cells("mode: scale\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0.5\n"), (Cells{100, 50, 0, 0, 0, 0}));
+  EXPECT_EQ(cells("mode: scale\nnegate: 0\noccupied_thresh: 0.5\nfree_thresh: 0.5\n"), (Cells{100, 100, 100, 0, 0, 0}));
+}
+
+TEST_F(OccupancyGridIo, ModeRawTakesPixelsForValues) {
+  write("map.pgm", "P2 6 1 255  0 1 100 101 254 255");
+  for (const std::string negate : {"0", "1"}) {
+    write("map.yaml", "image: map.pgm\nresolution: 1\norigin: [0, 0, 0]\nmode: raw\nnegate: " + negate +
+                          "\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    EXPECT_EQ(readOccupancyMap(path("map.yaml")).grid.cells, (Cells{0, 1, 100, -1, -1, -1})) << negate;
+  }
+}
+
 TEST_F(OccupancyGridIo, AHeaderMayEndInCrLfIfTheSizeProvesIt) {
   const std::string pixels = std::string() + '\0' + '\xFE' + '\xCD' + '\xFE' + '\0' + '\xFE';
   const Cells usual = map().grid.cells;
@@ -166,12 +143,12 @@ TEST_F(OccupancyGridIo, AnErrorNamesTheFileAndTheField) {
   for (const std::string none : {"2", "-1", "maybe"})
     EXPECT_EQ(errorWith("negate", "negate: " + none),
               yaml + "negate: '" + none + "' is neither true nor false; write 1 or 0");
-  const std::string trinary = "; save the map in mode trinary";
-  for (const std::string mode : {"raw", "Scale", "binary"})
-    EXPECT_EQ(errorWith("mode", "mode: " + mode), yaml + "mode: '" + mode + "' is not read" + trinary);
-  for (const std::string no : {"false", "0"})
-    EXPECT_EQ(errorWith("mode", "trinary: " + no),
-              yaml + "trinary: 'false' means mode scale, which is not read" + trinary);
+  for (const std::string mode : {"binary", "trinary scale", "2"})
+    EXPECT_EQ(errorWith("mode", "mode: " + mode),
+              yaml + "mode: '" + mode + "' is not a mode; write trinary, scale or raw");
+  for (const std::string mode : {"trinary", "Raw"})
+    EXPECT_EQ(errorWith("mode", "mode: " + mode + "\ntrinary: 0"),
+              yaml + "trinary: 'false' means mode scale, and mode is " + mode + "; keep one");
   EXPECT_EQ(errorWith("origin", "origin: [1, 2]"), yaml + "origin: has 2 values, not 3; write [x, y, yaw]");
   EXPECT_EQ(errorWith("origin", "origin: [1, 2, 3, 4]"), yaml + "origin: has 4 values, not 3; write [x, y, yaw]");
   EXPECT_EQ(errorWith("origin", "origin: 1, 2, 3"), yaml + "origin: isn't a list; write [x, y, yaw]");
@@ -191,7 +168,7 @@ TEST_F(OccupancyGridIo, WhatIsNoMapOfFieldsIsRefused) {
 
 TEST_F(OccupancyGridIo, AnErrorNamesTheImage) {
   const std::string pgm = "tricover: " + path("map.pgm") + ": ",
-                    none = pgm + "is no PGM image (P2 or P5); convert it to PGM";
+                    none = pgm + "is neither a PGM image (P2 or P5) nor a PNG image; convert it to PNG";
   EXPECT_EQ(errorOfImage(""), none);
   EXPECT_EQ(errorOfImage("P6 1 1 255 123"), none);
   EXPECT_EQ(errorOfImage("P2 3"), pgm + "height: isn't from 1 to 65535");

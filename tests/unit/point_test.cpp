@@ -51,7 +51,7 @@ Case besidePoint(Random& random, const Case& c) {
 
 /// What the nearest edges say, where they are a way to tell.
 std::optional<DistanceResult> byEdges(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b) {
-  const detail::PosedVertices pair(PosedPair(a.data(), pose_a, b.data(), pose_b));
+  const detail::PosedVertices pair(PosedPair(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b));
   DistanceResult result;
   return pointDistance(pair, {}, result) ? std::optional(result) : std::nullopt;
 }
@@ -76,7 +76,7 @@ TEST(Point, IsAsFarAsTheNearestEdge) {
       const auto seed = static_cast<std::uint64_t>(i) + 47000000;
       Random random(~seed);
       const Case c = besidePoint(random, family.make(seed));
-      const detail::PolygonData &a = c.a.data(), &b = c.b.data();
+      const detail::PolygonData &a = detail::dataOf(c.a), &b = detail::dataOf(c.b);
       if (a.isDegenerate() || a.isPoint()) continue;
       const mpq_class squared = exact::distanceSquared(c.a, c.pose_a, c.b, c.pose_b);
       const auto nearest = byEdges(c.a, c.pose_a, c.b, c.pose_b);
@@ -115,13 +115,13 @@ TEST(Point, ThatIsDeepKeepsAFactWithoutTheMargin) {
   options.margin = 5;
   // Beside the largest disc inside, in another one.
   const Pose here = Pose::Identity(), beside = turnedAndMoved(0, 10, 0);
-  const detail::Outcome certificate = detail::findCertificate(bar.data(), here, dot.data(), beside,
+  const detail::Outcome certificate = detail::findCertificate(detail::dataOf(bar), here, detail::dataOf(dot), beside,
                                                               detail::defectOf(here, beside), options, {10, true});
   EXPECT_TRUE(certificate.collides);
   EXPECT_GT(certificate.clearance, 1);
   EXPECT_LE(certificate.clearance, 4);
   // Discs are sooner asked than certificates; this one is kept nevertheless.
-  detail::remember(detail::contentsOf(cache).collision, bar.data(), here, dot.data(), beside, true,
+  detail::remember(detail::contentsOf(cache).collision, detail::dataOf(bar), here, detail::dataOf(dot), beside, true,
                    certificate.clearance);
   EXPECT_FALSE(collide(bar, turnedAndMoved(0, 0, 0), dot, turnedAndMoved(0, 10, 6), cache));
 }

@@ -80,7 +80,7 @@ TEST(Options, GrowOnlyAtTheirEnd) {
   const ImpactOptions impact{1, 2, true};
   EXPECT_EQ(std::tuple(impact.margin, impact.time_error, impact.ignore_initial), std::tuple(1, 2, true));
   const LeastDistanceOptions least{1, 2};
-  EXPECT_EQ(std::tuple(least.margin, least.error), std::tuple(1, 2));
+  EXPECT_EQ(std::tuple(least.margin, least.absolute_error), std::tuple(1, 2));
   const BodyOptions body{1, 2, 3, allowed};
   EXPECT_EQ(std::tuple(body.margin, body.category, body.mask, body.touching), std::tuple(1, 2u, 3u, allowed));
   EXPECT_EQ(CoverOptions{1}.margin + RayOptions{1}.margin, 2);
@@ -99,8 +99,9 @@ TEST(PoseCheck, NamesThePoseWhateverACacheHolds) {
   const Polygon a({rectangle(0, 0, 1, 1)}), b({rectangle(0, 0, 1, 2)});
   const Pose here = Pose::Identity(), far = turnedAndMoved(0, 1e6, 0);
   PairCache of_pair, of_another;
-  detail::remember(detail::contentsOf(of_pair).collision, a.data(), here, b.data(), far, false, 9e5);
-  detail::remember(detail::contentsOf(of_another).collision, a.data(), here, a.data(), far, false, 9e5);
+  detail::remember(detail::contentsOf(of_pair).collision, detail::dataOf(a), here, detail::dataOf(b), far, false, 9e5);
+  detail::remember(detail::contentsOf(of_another).collision, detail::dataOf(a), here, detail::dataOf(a), far, false,
+                   9e5);
   ASSERT_FALSE(collide(a, here, b, far, of_pair));
   ASSERT_EQ(detail::contentsOf(of_pair).collision.uses, 1u);
   for (const PairCache& given : {of_pair, of_another, PairCache()}) {

@@ -287,7 +287,7 @@ TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
     const Polygon b({star(random, random.integer(3, 12), 0, size, {offset, offset})});
     const Pose rigid = randomPose(random, reach), pose_b = randomPose(random, reach);
     const Pose pose_a = i % 3 == 0 ? rigid : i % 3 == 1 ? turnedByFloats(rigid) : mirrored(rigid);
-    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const PosedPair pair(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b);
     ASSERT_LT(pair.errorOfA(), 16 * kUnitRoundoff * (4 * offset + 4));
     ASSERT_LT(pair.errorOfB(), 16 * kUnitRoundoff * (4 * reach + 4 * offset + 4));
     ASSERT_EQ(isMirrored(pose_a), i % 3 == 2);
@@ -295,8 +295,8 @@ TEST(PosedPair, MapsWithinItsStatedErrorWhichIsSmall) {
       return abs(mpq_class(p.x - mapped.x)) <= mapped.error && abs(mpq_class(p.y - mapped.y)) <= mapped.error;
     };
     const Exact here = exactly(pose_a.translation());
-    for (const Vec2& p : a.data().path) ASSERT_TRUE(isWithin(posed({&pose_a, p}) - here, pair.fromA(p)));
-    for (const Vec2& p : b.data().path) {
+    for (const Vec2& p : detail::dataOf(a).path) ASSERT_TRUE(isWithin(posed({&pose_a, p}) - here, pair.fromA(p)));
+    for (const Vec2& p : detail::dataOf(b).path) {
       const Exact world = posed({&pose_b, p}) - here;
       ASSERT_TRUE(isWithin(world, pair.fromB(p)));
       const ApproxPoint seen = seenFromA(pair, p).approx;
@@ -318,7 +318,7 @@ TEST(UnitMap, MapsWithinItsErrorAndItsDefect) {
       return Polygon({shifted(rectangle(-size, -size / 2, size, size / 3), center)});
     };
     const Polygon polygon_a = placed(2), polygon_b = placed(i % 5 ? 1.5 : 1e-3);
-    const auto &a = polygon_a.data(), &b = polygon_b.data();
+    const auto &a = detail::dataOf(polygon_a), &b = detail::dataOf(polygon_b);
     const auto wrong = [&](Pose pose) { return i % 3 ? distorted(random, std::move(pose)) : pose; };
     const Pose turned_a = wrong(randomPose(random, 2)), pose_b = wrong(mirrored(randomPose(random, 2)));
     Pose pose_a = turned_a;
@@ -368,7 +368,7 @@ TEST(WorldFrame, MapsWithinItsErrorWhereOriginsCancel) {
     Pose pose_a = randomPose(random, 1);
     pose_a.translation() -= pose_a.linear() * center_a;
     const Pose pose_b = randomPose(random, 1);
-    const PosedPair pair(a.data(), pose_a, b.data(), pose_b);
+    const PosedPair pair(detail::dataOf(a), pose_a, detail::dataOf(b), pose_b);
     const WorldFrame frame(pair);
     const Exact origin = posed({&pose_b, pair.b.origin});
     for (const Vec2& v : pair.a.path) {
@@ -386,7 +386,7 @@ TEST(WorldFrame, MapsWithinItsErrorWhereOriginsCancel) {
 TEST(WorldFrame, IsInfiniteOnlyBeyondTheLargestDouble) {
   const Polygon a({rectangle(-1e307, -1e307, 1e307, 1e307)}), b({rectangle(4e307, -1e307, 1.4e308, 1e307)});
   const Pose here = Pose::Identity(), right = turnedAndMoved(0, 1.1e308, 0);
-  const PosedPair pair(a.data(), here, b.data(), right);
+  const PosedPair pair(detail::dataOf(a), here, detail::dataOf(b), right);
   const WorldFrame frame(pair);
   const Vec2 left = frame.toWorld(frame.fromB({4e307, 1e307}));  // b's S is at 2e308
   EXPECT_NEAR(left.x(), 1.5e308, 1e295);

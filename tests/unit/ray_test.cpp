@@ -102,7 +102,9 @@ TEST(Ray, LimitLeavesOutWhatIsBeyondAndNothingElse) {
     const Pose placed = randomPose(random, 1);
     const Vec2 from(random.real(-3, 3), random.real(-3, 3)), to(random.real(-3, 3), random.real(-3, 3));
     const auto all = castRay(polygon, placed, from, to);
-    const auto limited = [&](double limit) { return detail::castPlainRay(polygon.data(), placed, from, to, limit); };
+    const auto limited = [&](double limit) {
+      return detail::castPlainRay(detail::dataOf(polygon), placed, from, to, limit);
+    };
     if (!all || all->edge < 0) {
       EXPECT_EQ(limited(0.5).has_value(), all.has_value());
       continue;
@@ -130,7 +132,7 @@ TEST(Ray, FiltersDecideOrdinaryRays) {
     const Polygon polygon({shifted(star(random, 20, 0.5, 1), {offset, offset})});
     const Vec2 from = Vec2(offset, offset) + Vec2(random.real(-3, 3), random.real(-3, 3));
     const double angle = random.real(0, 2 * M_PI), length = random.coin() ? 10 : 1e30;
-    detail::innerDiscsOf(polygon.data());  // whose asserts ask exact questions
+    detail::innerDiscsOf(detail::dataOf(polygon));  // whose asserts ask exact questions
     const std::uint64_t before = detail::exactCalls();
     const auto hit = castRay(polygon, Pose::Identity(), from, from + length * Vec2(std::cos(angle), std::sin(angle)));
     exact_calls += detail::exactCalls() - before;

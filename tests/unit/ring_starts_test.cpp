@@ -26,7 +26,7 @@ constexpr double kAny = std::numeric_limits<double>::quiet_NaN();  ///< no bound
 
 /// The positions of rings' first edges.
 std::vector<std::uint32_t> startsOf(const Polygon& polygon, std::vector<std::uint32_t> rings) {
-  for (std::uint32_t& ring : rings) ring = static_cast<std::uint32_t>(polygon.data().edgeBegin(ring));
+  for (std::uint32_t& ring : rings) ring = static_cast<std::uint32_t>(detail::dataOf(polygon).edgeBegin(ring));
   return rings;
 }
 
@@ -64,7 +64,7 @@ TEST(RingStarts, AreFoundByPlace) {
   std::vector<Ring> rings;
   for (int i = 0; i < 20; ++i) rings.push_back(rectangle(7 * i % 20, 0, 7 * i % 20 + 0.5, 1));
   const Polygon polygon(rings);
-  const detail::RingStarts starts(polygon.data());
+  const detail::RingStarts starts(detail::dataOf(polygon));
   // At 14, 0, 7 and 1, by the edges that begin there; the bound is included.
   EXPECT_EQ(starts.near({14, 0}, 0), startsOf(polygon, {2}));
   EXPECT_EQ(starts.near({0, -1}, 1.5), startsOf(polygon, {0, 3}));
@@ -90,7 +90,7 @@ TEST(RingStarts, AreOneAComponentAndThoseInTheDisc) {
   for (int i = 0; i < scaledCount(600); ++i) {
     Random random(static_cast<std::uint64_t>(i));
     const Polygon polygon = i % 2 == 0 ? triangles(random) : crumbs(random);
-    const detail::RingStarts starts(polygon.data());
+    const detail::RingStarts starts(detail::dataOf(polygon));
     const std::vector<std::uint32_t> firsts = firstRings(polygon);
     EXPECT_EQ(starts.near({0, 0}, kAny), startsOf(polygon, firsts)) << i;
     rings += static_cast<int>(polygon.rings().size());
@@ -127,11 +127,12 @@ TEST(RingStarts, ChangeNoAnswer) {
       // Only where no edges meet is there anything to find.
       if (!exact::meetingEdges(a, Pose::Identity(), b, at).empty()) return detail::Outcome();
       const Pose still = Pose::Identity();
-      return detail::findContainment(detail::PosedPair(a.data(), still, b.data(), at));
+      return detail::findContainment(detail::PosedPair(detail::dataOf(a), still, detail::dataOf(b), at));
     };
-    for (const Polygon* polygon : {&a, &b}) detail::hierarchyOf(polygon->data());
+    for (const Polygon* polygon : {&a, &b}) detail::hierarchyOf(detail::dataOf(*polygon));
     for (const Pose& at : poses) first.push_back(ask(at));
-    for (const Polygon* polygon : {&a, &b}) detail::countRings(polygon->data(), 1000 * polygon->data().path.size(), 0);
+    for (const Polygon* polygon : {&a, &b})
+      detail::countRings(detail::dataOf(*polygon), 1000 * detail::dataOf(*polygon).path.size(), 0);
     for (std::size_t k = 0; k < poses.size(); ++k) {
       const detail::Outcome again = ask(poses[k]);
       ++cases;
@@ -140,7 +141,7 @@ TEST(RingStarts, ChangeNoAnswer) {
       EXPECT_EQ(again.edge_a, first[k].edge_a);
       EXPECT_EQ(again.edge_b, first[k].edge_b);
     }
-    known += detail::ringStarts(a.data()) != nullptr;
+    known += detail::ringStarts(detail::dataOf(a)) != nullptr;
   }
   EXPECT_GE(hits, 0.01 * cases);
   EXPECT_LE(hits, 0.9 * cases);
@@ -152,16 +153,20 @@ TEST(RingStarts, AreFoundAtTheEndOfWhatHoldsThem) {
   std::vector<Ring> rings;
   for (int i = 0; i < 30; ++i) rings.push_back(rectangle(2 * i, 0, 2 * i + 0.1, 0.1));
   const Polygon islands(rings), bar({rectangle(0, 0, 1.9, 0.3)});
-  detail::hierarchyOf(islands.data());
-  detail::countRings(islands.data(), 1000 * islands.data().path.size(), 0);
-  ASSERT_NE(detail::ringStarts(islands.data()), nullptr);
+  detail::hierarchyOf(detail::dataOf(islands));
+  detail::countRings(detail::dataOf(islands), 1000 * detail::dataOf(islands).path.size(), 0);
+  ASSERT_NE(detail::ringStarts(detail::dataOf(islands)), nullptr);
   const Pose still = Pose::Identity();
   for (int i = 0; i < 30; ++i)
     for (const double x : {2 * i - 0.05, 2 * i - 1.75}) {
       const Pose at = turnedAndMoved(0, x, -0.1);
       const auto start = static_cast<std::ptrdiff_t>(5 * i);  // four edges and the closing vertex
-      EXPECT_EQ(detail::findContainment(detail::PosedPair(islands.data(), still, bar.data(), at)).edge_a, start);
-      EXPECT_EQ(detail::findContainment(detail::PosedPair(bar.data(), at, islands.data(), still)).edge_b, start);
+      EXPECT_EQ(
+          detail::findContainment(detail::PosedPair(detail::dataOf(islands), still, detail::dataOf(bar), at)).edge_a,
+          start);
+      EXPECT_EQ(
+          detail::findContainment(detail::PosedPair(detail::dataOf(bar), at, detail::dataOf(islands), still)).edge_b,
+          start);
     }
 }
 
@@ -173,7 +178,7 @@ TEST(RingStarts, OfVeryManyCrossings) {
     rings.push_back({Vec2(i, -1), Vec2(i, 401), Vec2(i + 0.5, 401)});
   }
   const Polygon polygon(rings);
-  EXPECT_EQ(detail::RingStarts(polygon.data()).near({0, 0}, kAny).front(), 0u);
+  EXPECT_EQ(detail::RingStarts(detail::dataOf(polygon)).near({0, 0}, kAny).front(), 0u);
 }
 
 /// S itself, where the vertices that the covering might be taken from are near S, too.

@@ -141,6 +141,103 @@ TEST(Scene, SaysWhichOfManyPosesIsWrong) {
   EXPECT_EQ(scene.pose(a).translation().x(), 0);
 }
 
+TEST(Scene, IgnoredPairsAreInNoResult) {
+  Scene scene;
+  const Scene::Body a = scene.add(kSquare, at(0)), b = scene.add(kSquare, at(1)), c = scene.add(kSquare, at(1, 1));
+  const std::vector<BodyPair> all{{a, b}, {a, c}, {b, c}}, others{{a, c}, {b, c}};
+  EXPECT_EQ(scene.collisions(), all);
+  scene.setIgnored(b, a);
+  scene.setIgnored(a, b);  // twice is once
+  EXPECT_EQ(scene.collisions(), others);
+  EXPECT_EQ(scene.ended(), (std::vector<BodyPair>{{a, b}}));
+  const std::vector<BodyMotion> moves{{a, Motion::translation(at(0), {0, 0.5})}};
+  EXPECT_EQ(scene.impacts(moves).size(), 1u);
+  EXPECT_EQ(scene.conflicts(moves).size(), 1u);
+  for (const PairContact& found : scene.contacts()) EXPECT_NE(found.pair, (BodyPair{a, b}));
+  EXPECT_EQ(scene.colliding(kSquare, at(0)).size(), 3u);  // a query is of no body
+
+  // A copy has it, too, and goes its own way.
+  Scene copy(scene);
+  copy.setIgnored(a, b, false);
+  EXPECT_EQ(copy.collisions(), all);
+  EXPECT_EQ(copy.began(), (std::vector<BodyPair>{{a, b}}));
+  EXPECT_EQ(scene.collisions(), others);
+
+  // It ends with either body, whoever takes the place.
+  scene.move(b, at(50));
+  scene.remove(a);
+  scene.collisions();
+  const Scene::Body d = scene.add(kSquare, at(50));
+  EXPECT_EQ(Scene::indexOf(d), Scene::indexOf(a));
+  EXPECT_FALSE(scene.isIgnored(b, d));
+  EXPECT_EQ(scene.collisions(), (std::vector<BodyPair>{{b, d}}));
+}
+
+TEST(Scene, ContactsAreThoseOfAllPairs) {
+  Scene scene;
+  const Polygon u({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const Scene::Body below = scene.add(u, at(0)), bar = scene.add(Polygon::box(4, 1), at(1.5, 2.25));
+  scene.add(kSquare, at(50));
+  BodyOptions padded;
+  padded.margin = 0.5;
+  const Scene::Body near = scene.add(Polygon::box(4, 1), at(1.5, 3.5), padded);  // 0.25 from the bar
+  const std::vector<PairContact> found = scene.contacts();
+  ASSERT_EQ(found.size(), 3u);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_EQ(found[i].pair, (BodyPair{below, bar}));
+    EXPECT_EQ(found[i].contact.depth, 0.25);
+  }
+  EXPECT_NE(found[0].contact.point.x(), found[1].contact.point.x());
+  EXPECT_EQ(found[2].pair, (BodyPair{bar, near}));
+  EXPECT_EQ(found[2].contact.depth, 0.25);
+  EXPECT_EQ(scene.collisions().size(), 2u);
+  EXPECT_TRUE(scene.began().empty());  // contacts() has asked
+  scene.setOptions(near, {-0.5});
+  EXPECT_EQ(scene.contacts(ContactDetail::Points).size(), 2u);
+}
+
+TEST(Scene, LeastDistanceIsThatOfTheNearestBody) {
+  Scene scene;
+  EXPECT_FALSE(scene.leastDistance(kSquare, Motion::still(at(0))));
+  const Scene::Body a = scene.add(kSquare, at(10, 4)), b = scene.add(kSquare, at(20, -3.5), {0.25});
+  scene.add(kSquare, at(30, 8));
+  const Motion way = Motion::translation(at(0), {40, 0});
+  LeastDistanceOptions options;
+  options.absolute_error = 1e-9;
+  auto found = scene.leastDistance(kSquare, way, options);
+  EXPECT_EQ(found->body, b);
+  EXPECT_NEAR(found->least.distance, 1.25, 1e-9);
+  EXPECT_GE(found->least.lower_bound, 1.25 - 3e-9);
+  EXPECT_LE(found->least.lower_bound, 1.25);
+  EXPECT_EQ(scene.leastDistance(kSquare, way, options, BodyFilter::allBut(b))->body, a);
+  EXPECT_FALSE(scene.leastDistance(kSquare, way, options, BodyFilter(2)));
+  options.margin = 1.5;
+  EXPECT_EQ(scene.leastDistance(kSquare, way, options)->least.distance, 0);
+  // By the clock: it waits, and is there no longer when it would be near.
+  const auto waits = Trajectory::through({{5, at(0)}, {9, at(0)}, {10, at(1)}}).vanishing();
+  found = scene.leastDistance(kSquare, waits);
+  EXPECT_EQ(found->body, a);
+  EXPECT_EQ(found->least.time, 10);
+  EXPECT_THROW(scene.leastDistance(kSquare, Trajectory(at(0))), std::invalid_argument);
+}
+
+TEST(Scene, VisitsEndWhenTheyAreTold) {
+  Scene scene;
+  for (int i = 0; i < 20; ++i) scene.add(kSquare, at(0.01 * i));
+  std::vector<Scene::Body> met;
+  const auto visit = [&](Scene::Body body) {
+    met.push_back(body);
+    return true;
+  };
+  scene.visitColliding(kSquare, at(0), visit);
+  std::sort(met.begin(), met.end());
+  EXPECT_EQ(met, scene.colliding(kSquare, at(0)));
+  int count = 0;
+  scene.visitColliding(kSquare, at(0), [&](Scene::Body) { return ++count < 3; });
+  EXPECT_EQ(count, 3);
+  EXPECT_NE(refusal([&] { scene.visitColliding(kSquare, at(0), nullptr); }).find("visit"), std::string::npos);
+}
+
 TEST(Scene, StaleHandlesAreErrorsAndNeverAnotherBody) {
   Scene scene;
   std::vector<Scene::Body> gone;

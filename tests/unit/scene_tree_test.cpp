@@ -128,9 +128,9 @@ TEST(ClearBox, LearnsWhereAContainerIsClear) {
   const detail::Bounds body{91, 41, 109, 59}, seed{95, 47, 96, 48}, in_the_wall{92, 47, 95, 48};
   detail::ClearBox clear;
   EXPECT_FALSE(clear.holds(seed));
-  clear.learn(container.data(), at, 0.5, body, in_the_wall);
+  clear.learn(detail::dataOf(container), at, 0.5, body, in_the_wall);
   EXPECT_FALSE(clear.holds(seed));
-  clear.learn(container.data(), at, 0.5, body, seed);
+  clear.learn(detail::dataOf(container), at, 0.5, body, seed);
   EXPECT_TRUE(clear.holds(seed));
   EXPECT_TRUE(clear.holds({93.51, 46.51, 106.49, 53.49}));
   for (const detail::Bounds& beyond :

@@ -27,8 +27,8 @@ using detail::PosedPair;
 using detail::Wanted;
 
 PosedPair largerFirst(const Case& c) {
-  if (c.a.radius() >= c.b.radius()) return {c.a.data(), c.pose_a, c.b.data(), c.pose_b};
-  return {c.b.data(), c.pose_b, c.a.data(), c.pose_a};
+  if (c.a.radius() >= c.b.radius()) return {detail::dataOf(c.a), c.pose_a, detail::dataOf(c.b), c.pose_b};
+  return {detail::dataOf(c.b), c.pose_b, detail::dataOf(c.a), c.pose_a};
 }
 
 /// What floats can't tell the check does, about the right edges.
@@ -212,9 +212,9 @@ TEST(EightBoxes, MeetABoxAndARay) {
 
 TEST(ConvexMeet, IsForConvexPolygonsOnly) {
   const auto isSmallConvex = [](const Ring& ring) {
-    return hierarchyOf(Polygon({ring}).data()).small_convex != nullptr;
+    return hierarchyOf(detail::dataOf(Polygon({ring}))).small_convex != nullptr;
   };
-  const auto isSmall = [](const Polygon& polygon) { return hierarchyOf(polygon.data()).small != nullptr; };
+  const auto isSmall = [](const Polygon& polygon) { return hierarchyOf(detail::dataOf(polygon)).small != nullptr; };
   EXPECT_TRUE(isSmallConvex(regular(3, 1)));
   EXPECT_TRUE(isSmallConvex(regular(16, 1e200)));
   EXPECT_TRUE(isSmallConvex(reversed(regular(8, 1e-200))));

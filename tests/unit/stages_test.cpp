@@ -33,15 +33,15 @@ TEST(Stages, ComeWhenQueriesHavePaidForThem) {
   Random random(1);
   const Polygon a({star(random, 64, 0.5, 1)}), b({star(random, 64, 0.5, 1)});
   int by_edges = 0, by_hierarchy = 0;
-  for (int i = 0; i < 1000 && innerDiscsIfBuilt(a.data()) == nullptr; ++i) {
+  for (int i = 0; i < 1000 && innerDiscsIfBuilt(detail::dataOf(a)) == nullptr; ++i) {
     collide(a, kIdentity, b, turnedAndMoved(random.real(0, 6), random.real(0.8, 1.2), 0));
-    ++(hierarchyIfBuilt(a.data()) == nullptr ? by_edges : by_hierarchy);
+    ++(hierarchyIfBuilt(detail::dataOf(a)) == nullptr ? by_edges : by_hierarchy);
   }
   EXPECT_GE(by_edges, 3);
   EXPECT_LE(by_edges, 100);
   EXPECT_GE(by_hierarchy, 3);
-  EXPECT_NE(innerDiscsIfBuilt(a.data()), nullptr);
-  EXPECT_NE(innerDiscsIfBuilt(b.data()), nullptr);
+  EXPECT_NE(innerDiscsIfBuilt(detail::dataOf(a)), nullptr);
+  EXPECT_NE(innerDiscsIfBuilt(detail::dataOf(b)), nullptr);
 }
 
 TEST(Stages, ComeAtOnceWhereEdgesAloneCostMore) {
@@ -50,7 +50,8 @@ TEST(Stages, ComeAtOnceWhereEdgesAloneCostMore) {
   for (const int n : {1000, 20000}) {
     const Polygon a({star(random, n, 0.9, 1)}), b({star(random, n, 0.9, 1)});
     EXPECT_TRUE(collide(a, kIdentity, b, turnedAndMoved(0, 0.5, 0)));
-    EXPECT_EQ(hierarchyIfBuilt(a.data()) != nullptr, n == 20000) << "pairs of boxes grow with the square of that";
+    EXPECT_EQ(hierarchyIfBuilt(detail::dataOf(a)) != nullptr, n == 20000)
+        << "pairs of boxes grow with the square of that";
   }
 }
 
@@ -62,14 +63,14 @@ TEST(Stages, AreOfThePolygonThatIsAskedOften) {
   for (int i = 0; i < 40; ++i)
     collide(map, kIdentity, Polygon({star(random, 8, 0.5, 1)}),
             turnedAndMoved(0, random.real(4, 8), random.real(-3, 3)));
-  EXPECT_NE(hierarchyIfBuilt(map.data()), nullptr);
+  EXPECT_NE(hierarchyIfBuilt(detail::dataOf(map)), nullptr);
 }
 
 TEST(Stages, WhatDiscsDecideDerivesNothing) {
   const UpTo paid(Stages::Paid);
   const Polygon a({regular(30, 1)}), b({regular(30, 1)});
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(collide(a, kIdentity, b, turnedAndMoved(0, 2.5, 0)));
-  EXPECT_EQ(hierarchyIfBuilt(a.data()), nullptr);
+  EXPECT_EQ(hierarchyIfBuilt(detail::dataOf(a)), nullptr);
 }
 
 TEST(Stages, PrepareBuildsAll) {
@@ -80,18 +81,18 @@ TEST(Stages, PrepareBuildsAll) {
   const Polygon islands(rings), round({regular(12, 1)});
   for (const Polygon& polygon : {islands, round}) {
     prepare(polygon);
-    EXPECT_NE(hierarchyIfBuilt(polygon.data()), nullptr);
-    EXPECT_NE(innerDiscsIfBuilt(polygon.data()), nullptr);
-    EXPECT_NE(polygon.data().convexity.ifBuilt(), nullptr);
+    EXPECT_NE(hierarchyIfBuilt(detail::dataOf(polygon)), nullptr);
+    EXPECT_NE(innerDiscsIfBuilt(detail::dataOf(polygon)), nullptr);
+    EXPECT_NE(detail::dataOf(polygon).convexity.ifBuilt(), nullptr);
   }
-  EXPECT_NE(islands.data().starts.ifBuilt(), nullptr);
-  EXPECT_NE(hierarchyIfBuilt(islands.data())->sides.ifBuilt(), nullptr);
-  EXPECT_NE(convexityOf(round.data()).outline.ifBuilt(), nullptr);
+  EXPECT_NE(detail::dataOf(islands).starts.ifBuilt(), nullptr);
+  EXPECT_NE(hierarchyIfBuilt(detail::dataOf(islands))->sides.ifBuilt(), nullptr);
+  EXPECT_NE(convexityOf(detail::dataOf(round)).outline.ifBuilt(), nullptr);
 }
 
 /// What is derived from a polygon; null for what isn't there.
 std::vector<const void*> derivedFrom(const Polygon& polygon) {
-  const detail::PolygonData& data = polygon.data();
+  const detail::PolygonData& data = detail::dataOf(polygon);
   std::vector<const void*> all = {data.hierarchy.ifBuilt(), data.discs.ifBuilt(), data.convexity.ifBuilt(),
                                   data.starts.ifBuilt()};
   if (const detail::Hierarchy* hierarchy = hierarchyIfBuilt(data))
@@ -161,7 +162,7 @@ TEST(Stages, NothingIsBuiltAfterPrepare) {
 TEST(EdgesWithin, HoldsEveryEndAtExactlyTheMargin) {
   const Polygon a({{{0, 0}, {8, 0}, {4, -9}}}), down({{{4, 30}, {4, 5}, {30, 30}}}), up({{{4, 5}, {4, 30}, {30, 30}}});
   const auto within = [&](const Polygon& p, const Polygon& q, double reach) {
-    const detail::PosedPair pair(p.data(), kIdentity, q.data(), kIdentity);
+    const detail::PosedPair pair(detail::dataOf(p), kIdentity, detail::dataOf(q), kIdentity);
     const std::uint64_t before = detail::exactCalls();
     const bool result = detail::edgesWithin(pair, 0, 0, reach, 0);
     EXPECT_GT(detail::exactCalls(), before);

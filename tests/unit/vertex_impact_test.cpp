@@ -58,8 +58,8 @@ TEST(VertexImpact, IsTheSearchsWithinTheTimeError) {
       continue;
     }
     const bool swaps = b.radius() > a.radius();
-    MovingPair pair = swaps ? MovingPair(b.data(), motion_b, a.data(), motion_a, options.margin)
-                            : MovingPair(a.data(), motion_a, b.data(), motion_b, options.margin);
+    MovingPair pair = swaps ? MovingPair(detail::dataOf(b), motion_b, detail::dataOf(a), motion_a, options.margin)
+                            : MovingPair(detail::dataOf(a), motion_a, detail::dataOf(b), motion_b, options.margin);
     pair.prepare();
     ++asked;
     if (haveFewVertices(pair)) {

@@ -36,7 +36,8 @@ namespace tricover_fcl {
 ///   manager.
 ///
 /// \throws std::invalid_argument in registerObject(), collide() and distance(), for no object, no geometry or no
-/// manager \throws std::length_error in registerObject() and update(), as tricover::Scene::add() does
+/// manager, and in setIgnored() for objects that aren't registered or the same \throws std::length_error in
+/// registerObject() and update(), as tricover::Scene::add() does
 ///
 /// \snippet fcl.cpp scene manager
 template <typename S>
@@ -57,6 +58,10 @@ class TRICOVER_EXPORT SceneManager final : public fcl::BroadPhaseCollisionManage
   void update(Object* object) override;                       ///< Looks where one is.
   void update(const std::vector<Object*>& objects) override;  ///< Looks where these are.
   void clear() override;                                      ///< Unregisters all.
+
+  /// Lets two objects touch and overlap, as a gripper and its part, or no longer: while the pair is ignored, no
+  /// callback sees it. That ends when one of them is unregistered. \snippet fcl.cpp scene manager
+  void setIgnored(const Object* a, const Object* b, bool ignored = true);
 
   void getObjects(std::vector<Object*>& objects) const override;  ///< All that are registered, and nothing else.
   bool empty() const override;                                    ///< Whether none is registered.

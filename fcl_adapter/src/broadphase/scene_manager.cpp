@@ -19,10 +19,6 @@ namespace {
 
 using tricover::BodyHandle;
 
-/// Categories, one bit each, that objects get in turn: the scene's nearest body to one of its own bodies is itself, so
-/// that is asked for among all others' categories.
-constexpr std::uint32_t kCategories = 32;
-
 template <typename Pointer>
 Pointer required(Pointer pointer, const char* field) {
   if (pointer == nullptr) refuse(field, "there is none");
@@ -36,10 +32,10 @@ struct SceneManager<S>::Impl {
   struct Entry {
     Object* object;
     double z_low, z_high;
-    std::uint32_t category;
     std::optional<BodyHandle> body;  ///< none: it takes part in all pairs
     std::uint64_t polygon;           ///< the body's, by its id
     double margin;                   ///< the body's
+    std::vector<const Object*> ignored;
   };
   /// What is asked about: a given object, or one of ours.
   struct Query {
@@ -51,12 +47,27 @@ struct SceneManager<S>::Impl {
   std::unordered_map<const Object*, std::size_t> places;  ///< among the entries
   std::vector<std::size_t> place_of_slot;
   std::size_t anywhere = 0;  ///< entries without a body
-  std::uint32_t registered = 0;
   tricover::Scene scene;
   /// The scene finds its collisions in a function that isn't const, others ask meanwhile.
   mutable std::shared_mutex mutex;
 
   const Entry& entryOf(BodyHandle body) const { return entries[place_of_slot[tricover::Scene::indexOf(body)]]; }
+
+  static bool ignores(const Entry& p, const Entry& q) {
+    return std::find(p.ignored.begin(), p.ignored.end(), q.object) != p.ignored.end();
+  }
+  /// Of a question about one of ours, or null.
+  static bool isLeftOut(const Entry* self, const Entry& entry) {
+    return &entry == self || (self != nullptr && ignores(*self, entry));
+  }
+  static void erase(std::vector<const Object*>& list, const Object* object) {
+    list.erase(std::find(list.begin(), list.end(), object));
+  }
+  Entry& entryOf(const Object* object, const char* field) {
+    const auto found = places.find(object);
+    if (found == places.end()) refuse(field, "it isn't registered");
+    return entries[found->second];
+  }
 
   void add(Object* object);
   void remove(const Object* object);
@@ -77,8 +88,7 @@ void SceneManager<S>::Impl::add(Object* object) {
   required(object, "object");
   if (!object->collisionGeometry()) refuse("object", "it has no geometry");
   if (!places.emplace(object, entries.size()).second) return;
-  const std::uint32_t category = std::uint32_t{1} << (registered++ % kCategories);
-  entries.push_back({object, 0, 0, category, std::nullopt, 0, 0});
+  entries.push_back({object, 0, 0, std::nullopt, 0, 0, {}});
   ++anywhere;
   place(entries.back(), footprintOf(*object, nullptr));
 }
@@ -88,6 +98,7 @@ void SceneManager<S>::Impl::remove(const Object* object) {
   const auto found = places.find(object);
   if (found == places.end()) return;
   Entry& entry = entries[found->second];
+  for (const Object* other : entry.ignored) erase(entryOf(other, "object").ignored, object);
   if (entry.body)
     scene.remove(*entry.body);
   else
@@ -113,7 +124,7 @@ void SceneManager<S>::Impl::place(Entry& entry, const Footprint& print) {
     if (old && entry.polygon == region.polygon().id() && entry.margin == region.margin) {
       scene.move(*old, region.pose);
     } else {
-      entry.body = scene.add(region.polygon(), region.pose, {region.margin, entry.category});
+      entry.body = scene.add(region.polygon(), region.pose, {region.margin});
       entry.polygon = region.polygon().id();
       entry.margin = region.margin;
       if (const std::size_t slot = tricover::Scene::indexOf(*entry.body); place_of_slot.size() <= slot)
@@ -159,7 +170,7 @@ template <typename S>
 template <typename Show>
 bool SceneManager<S>::Impl::showMeeting(const Query& query, const Show& show) const {
   const auto shows = [&](const Entry& entry) {
-    return &entry != query.self && query.print.sharesHeights(entry.z_low, entry.z_high) && show(entry);
+    return !isLeftOut(query.self, entry) && query.print.sharesHeights(entry.z_low, entry.z_high) && show(entry);
   };
   const auto& region = query.print.region;
   if (!region) return std::any_of(entries.begin(), entries.end(), shows);
@@ -185,7 +196,7 @@ bool SceneManager<S>::Impl::showNear(const Query& query, const S& least, const S
   const auto isKnown = [&] { return least < std::numeric_limits<S>::max(); };
   const auto shows = [&](const Entry& entry) {
     const double apart = std::max(entry.z_low - query.print.z_high, query.print.z_low - entry.z_high);
-    return &entry != query.self && !(isKnown() && apart > static_cast<double>(least)) && show(entry);
+    return !isLeftOut(query.self, entry) && !(isKnown() && apart > static_cast<double>(least)) && show(entry);
   };
   const auto& region = query.print.region;
   if (!region) return std::any_of(entries.begin(), entries.end(), shows);
@@ -198,8 +209,8 @@ bool SceneManager<S>::Impl::showNear(const Query& query, const S& least, const S
     tricover::DistanceOptions options;
     options.margin = region->margin;
     std::shared_lock<std::shared_mutex> lock(mutex);
-    const auto nearest = scene.nearest(region->polygon(), region->pose, options,
-                                       query.self != nullptr ? ~query.self->category : tricover::kEveryCategory);
+    const BodyHandle own = query.self != nullptr ? query.self->body.value_or(tricover::kNoBody) : tricover::kNoBody;
+    const auto nearest = scene.nearest(region->polygon(), region->pose, options, tricover::BodyFilter::allBut(own));
     lock.unlock();
     if (nearest) first = nearest->body;
     if (first && shows(entryOf(*first))) return true;
@@ -257,6 +268,20 @@ void SceneManager<S>::clear() {
 }
 
 template <typename S>
+void SceneManager<S>::setIgnored(const Object* a, const Object* b, bool ignored) {
+  auto &p = impl_->entryOf(a, "a"), &q = impl_->entryOf(b, "b");
+  if (a == b) refuse("b", "it is a, and an object never meets itself");
+  if (Impl::ignores(p, q) == ignored) return;
+  if (ignored) {
+    p.ignored.push_back(b);
+    q.ignored.push_back(a);
+  } else {
+    Impl::erase(p.ignored, b);
+    Impl::erase(q.ignored, a);
+  }
+}
+
+template <typename S>
 void SceneManager<S>::getObjects(std::vector<Object*>& objects) const {
   objects.clear();
   for (const auto& entry : impl_->entries) objects.push_back(entry.object);
@@ -278,7 +303,7 @@ void SceneManager<S>::collide(void* data, Collision callback) const {
   const std::vector<tricover::BodyPair> pairs = impl_->scene.collisions();
   lock.unlock();
   const auto shows = [&](const auto& p, const auto& q) {
-    return p.z_low <= q.z_high && q.z_low <= p.z_high && callback(p.object, q.object, data);
+    return p.z_low <= q.z_high && q.z_low <= p.z_high && !Impl::ignores(p, q) && callback(p.object, q.object, data);
   };
   for (const tricover::BodyPair& pair : pairs) {
     if (shows(impl_->entryOf(pair.first), impl_->entryOf(pair.second))) return;

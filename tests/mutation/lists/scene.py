@@ -5,8 +5,8 @@ MUTATIONS = [
     ("src/scene/bounds.cpp", "finite ? low : -endless", "low", "scene: boxes that overflow"),
     ("src/scene/bounds.cpp", "  reach += errorOfLargest(polygon);\n", "", "scene: boxes of the largest polygons, of which impacts know nothing"),
     ("src/scene/sweep.h", " + errorOfLargest(polygon_)", "", "scene: sweeps of the largest polygons, of which impacts know nothing"),
-    ("src/scene/moves.cpp", "std::min(body.polygon.data().radius + marginOfBox(body.options.margin), kMost)", "body.polygon.data().radius + marginOfBox(body.options.margin)", "scene: a step that overflows is short beside a size that does"),
-    ("src/scene/nearest.cpp", "boundsOf(polygon.data(), pose, options.margin)", "boundsOf(polygon.data(), pose, 0)", "scene: the nearest is sought without the margin"),
+    ("src/scene/moves.cpp", "std::min(dataOf(body.polygon).radius + marginOfBox(body.options.margin), kMost)", "dataOf(body.polygon).radius + marginOfBox(body.options.margin)", "scene: a step that overflows is short beside a size that does"),
+    ("src/scene/nearest.cpp", "boundsOf(detail::dataOf(polygon), pose, options.margin)", "boundsOf(detail::dataOf(polygon), pose, 0)", "scene: the nearest is sought without the margin"),
     ("src/scene/clear_box.cpp", "boundsOfEdge(polygon, edge, pose, margin)", "boundsOfEdge(polygon, edge, pose, 0)", "scene: where a body is clear, without its margin"),
     ("src/scene/box_tree.h", "last = keyOf(most, kLanes - 1);\n  }", "last = keyOf(0.5 * most, kLanes - 1);\n  }", "scene: bodies near the limit left out"),
     ("src/scene/moves.cpp", "  state.pose = pose;\n  state.clear.forget();\n", "  state.pose = pose;\n", "scene: where a body was clear before it moved"),
@@ -24,6 +24,6 @@ MUTATIONS = [
     ("src/scene/collides.cpp", "options.touching == Touching::Collides && options.margin >= 0 &&", "options.touching == Touching::Collides &&", "clear box: learnt where an overlap is allowed"),
     ("src/scene/collides.cpp", "state_.passes(filter_, slot) && !state_", "!state_", "scene: bodies that a filter leaves out"),
     ("src/scene/scene_state.cpp", "    room = 0;\n", "", "negative margins: a certificate outlasts an overlap that is allowed"),
-    ("src/scene/covers.cpp", "boundsOf(polygon.data(), pose, std::abs(options.margin))", "boundsOf(polygon.data(), pose, 0)", "covers: bodies within the margin left out"),
+    ("src/scene/covers.cpp", "boundsOf(detail::dataOf(polygon), pose, std::abs(options.margin))", "boundsOf(detail::dataOf(polygon), pose, 0)", "covers: bodies within the margin left out"),
     ("src/scene/impacts.cpp", "if (first.trajectory.rests() && second.trajectory.rests())", "if (false)", "scene: two that always rest have no time"),
 ]
