@@ -15,6 +15,8 @@ Floats = Union[float, NDArray[np.float64]]
 Ints = Union[int, NDArray[np.int64]]
 Bools = Union[bool, NDArray[np.bool_]]
 Vectors = NDArray[np.float64]
+__all__ = ["Body", "Conflict", "Contact", "CoveringTriangle", "Crossing", "Depth", "Distance", "Excess", "Exit", "Impact",
+           "LeastDistance", "Penetration", "RayHit", "RayInterval", "SelfCrossing", "SignedDistance"]
 _Type = TypeVar("_Type", bound=type)
 
 
@@ -418,4 +420,3 @@ class CoveringTriangle(NamedTuple):
 
 
 Body.__module__ = "tricover"
-__all__ = [name for name in globals() if isinstance(globals()[name], type) and getattr(globals()[name], "__module__") == "tricover"]

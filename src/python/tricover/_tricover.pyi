@@ -9,10 +9,10 @@ from ._results import (Body, Contact, Crossing, Conflict, Depth, Distance, Exces
 from ._scene_results import (BodyDistance, BodyImpact, BodyOptions, BodyPair, BodyRayHit, BodyRayInterval, PairConflict,
                              PairImpact)
 
-PosesLike = Union[Poses, Sequence[Poses], ArrayLike]
-Answers = Union[bool, NDArray[np.bool_]]
-AnyMotion = Union[Motion, Sequence[Motion], Trajectory, Sequence[Trajectory], PosesLike]
-BodyMotions = Union[Sequence[Tuple[int, Motion]], Sequence[Tuple[int, Trajectory]], Mapping[int, Motion], Mapping[int, Trajectory]]
+_PosesLike = Union[Poses, Sequence[Poses], ArrayLike]
+_Answers = Union[bool, NDArray[np.bool_]]
+_AnyMotion = Union[Motion, Sequence[Motion], Trajectory, Sequence[Trajectory], _PosesLike]
+_BodyMotions = Union[Sequence[Tuple[int, Motion]], Sequence[Tuple[int, Trajectory]], Mapping[int, Motion], Mapping[int, Trajectory]]
 
 __version__: str
 NO_BODY: int
@@ -166,7 +166,7 @@ class Polygon:
         array([[0., 0.],
                [4., 2.]])
         """
-    def bounds_at(self, pose: PosesLike) -> NDArray[np.float64]:
+    def bounds_at(self, pose: _PosesLike) -> NDArray[np.float64]:
         """Returns bounds in the world under a pose, (2, 2), or under each of many poses, (n, 2, 2).
 
         >>> tc.Polygon.box(4, 2).bounds_at((10, 0, 0))
@@ -193,7 +193,7 @@ class Polygon:
         >>> tc.Polygon.box(2, 2).scaled(3).area
         36.0
         """
-    def transformed(self, pose: PosesLike) -> Polygon:
+    def transformed(self, pose: _PosesLike) -> Polygon:
         """Returns the polygon that this one is under one pose, rounded.
 
         >>> tc.Polygon.box(2, 2).transformed((5, 0, 0)).centroid
@@ -237,7 +237,7 @@ class Poses:
     array([[0., 0.],
            [1., 2.]])
     """
-    def __init__(self, poses: PosesLike) -> None:
+    def __init__(self, poses: _PosesLike) -> None:
         """Makes poses from x, y and heading in radians, (3,) or (n, 3), or joins a list of Poses.
 
         >>> len(tc.Poses([tc.pose_at(0, 0), tc.pose_at(1, 2)]))
@@ -269,10 +269,8 @@ class Poses:
     def matrices(self) -> NDArray[np.float64]:
         """The homogeneous matrices, (3, 3) or (n, 3, 3).
 
-        >>> tc.pose_at(1, 2).matrices
-        array([[1., 0., 1.],
-               [0., 1., 2.],
-               [0., 0., 1.]])
+        >>> tc.pose_at(1, 2).matrices[:, 2]
+        array([1., 2., 1.])
         """
     @property
     def positions(self) -> NDArray[np.float64]:
@@ -311,7 +309,7 @@ class Motion:
     >>> tc.Motion.translation((0, 0, 0), (4, 0)).at(0.5)
     pose_at(2.0, 0.0, 0.0)
     """
-    def __init__(self, start: PosesLike, shift: ArrayLike = (0, 0), angle: float = 0.0, pivot: ArrayLike = (0, 0),
+    def __init__(self, start: _PosesLike, shift: ArrayLike = (0, 0), angle: float = 0.0, pivot: ArrayLike = (0, 0),
                  shift_2: ArrayLike = (0, 0), shift_3: ArrayLike = (0, 0), angle_2: float = 0.0, angle_3: float = 0.0) -> None:
         """Makes a motion from its terms: `shift` and `angle` times t, the others times t squared and t cubed.
 
@@ -319,28 +317,28 @@ class Motion:
         pose_at(2.0, 1.0, 0.0)
         """
     @staticmethod
-    def still(pose: PosesLike) -> Motion:
+    def still(pose: _PosesLike) -> Motion:
         """Returns a motion that stays at a pose.
 
         >>> tc.Motion.still((1, 2, 0)).at(1)
         pose_at(1.0, 2.0, 0.0)
         """
     @staticmethod
-    def translation(start: PosesLike, shift: ArrayLike) -> Motion:
+    def translation(start: _PosesLike, shift: ArrayLike) -> Motion:
         """Returns a translation by a vector, (2,), without a rotation.
 
         >>> tc.Motion.translation((0, 0, 0), (4, 0)).at(1)
         pose_at(4.0, 0.0, 0.0)
         """
     @staticmethod
-    def arc(start: PosesLike, centre: ArrayLike, angle: float) -> Motion:
+    def arc(start: _PosesLike, centre: ArrayLike, angle: float) -> Motion:
         """Returns a rotation about a point of the world, (2,), by an angle in radians, counter-clockwise.
 
         >>> tc.Motion.arc((2, 0, 0), (0, 0), np.pi).at(1).positions.round(9)
         array([-2.,  0.])
         """
     @staticmethod
-    def between(start: PosesLike, end: PosesLike, pivot: ArrayLike = (0, 0)) -> Motion:
+    def between(start: _PosesLike, end: _PosesLike, pivot: ArrayLike = (0, 0)) -> Motion:
         """Returns a motion from pose to pose by the shorter rotation. The pivot moves on a straight line.
 
         >>> tc.Motion.between((0, 0, 0), (4, 0, 1)).at(0.5)
@@ -447,7 +445,7 @@ class Trajectory:
         pose_at(2.0, 0.0, 0.0)
         """
     @staticmethod
-    def through(times: ArrayLike, waypoints: PosesLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
+    def through(times: ArrayLike, waypoints: _PosesLike, pivot: ArrayLike = (0, 0)) -> Trajectory:
         """Returns the trajectory on straight lines from waypoint to waypoint, at times (n,) that increase.
 
         Waypoints (n, 3) are x, y and heading; it rotates by the headings given, and 0 to 6 is nearly a full turn. Poses are
@@ -517,7 +515,7 @@ class Trajectory:
         >>> tc.Trajectory(tc.pose_at(1, 2)).rests
         True
         """
-    def is_there(self, time: ArrayLike) -> Answers:
+    def is_there(self, time: ArrayLike) -> _Answers:
         """Returns whether the body is there at a time, or at each of many, (n,).
 
         >>> tc.Trajectory.through([10, 20], [(0, 0, 0), (5, 0, 0)]).appearing().is_there([5, 15, 25])
@@ -543,8 +541,8 @@ def prepare(polygon: Polygon) -> None:
     >>> tc.prepare(tc.Polygon.box(1, 1))
     """
 
-def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
-            touching: Touching = Touching.COLLIDES, threads: int = 0) -> Answers:
+def collide(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0, tolerance: float = 0.0,
+            touching: Touching = Touching.COLLIDES, threads: int = 0) -> _Answers:
     """Returns whether two regions share a point or, with a margin, are no farther apart than the margin. Exact.
 
     A margin below 0 allows an overlap. With a tolerance, the answer for a distance between margin and margin + tolerance may be
@@ -555,8 +553,8 @@ def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin
     array([ True,  True, False])
     """
 
-def covers(area: Polygon, pose_area: PosesLike, part: Polygon, pose_part: PosesLike, margin: float = 0.0,
-           threads: int = 0) -> Answers:
+def covers(area: Polygon, pose_area: _PosesLike, part: Polygon, pose_part: _PosesLike, margin: float = 0.0,
+           threads: int = 0) -> _Answers:
     """Returns whether an area holds all of a part, inflated by the margin. Exact. Of many poses, (n,).
 
     With a margin below 0 the part may stick out by so much.
@@ -578,9 +576,9 @@ def locate(polygon: Polygon, points: ArrayLike, threads: int = 0) -> Union[Locat
     array([False,  True])
     """
 @overload
-def locate(polygon: Polygon, pose: PosesLike, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]: ...
+def locate(polygon: Polygon, pose: _PosesLike, points: ArrayLike, threads: int = 0) -> Union[Location, NDArray[np.int8]]: ...
 
-def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, relative_error: float = 0.0,
+def distance(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0, relative_error: float = 0.0,
              absolute_error: float = 0.0, threads: int = 0) -> Distance:
     """Returns the distance of two regions, less the margin, and where it is. It is 0 exactly where collide() is true.
 
@@ -591,7 +589,7 @@ def distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margi
     3.0
     """
 
-def distance_within(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, limit: float, margin: float = 0.0,
+def distance_within(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, limit: float, margin: float = 0.0,
                     relative_error: float = 0.0, absolute_error: float = 0.0, threads: int = 0) -> Optional[Distance]:
     """Returns the distance where it is at most `limit`, and None where it is more. Of many poses, `found` tells.
 
@@ -600,7 +598,7 @@ def distance_within(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike
     True
     """
 
-def signed_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
+def signed_distance(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0,
                     relative_error: float = 0.0, absolute_error: float = 0.0, threads: int = 0) -> SignedDistance:
     """Returns the distance of two regions, or minus their depth() where they overlap; less the margin.
 
@@ -609,7 +607,7 @@ def signed_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike
     -0.5
     """
 
-def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
+def penetration(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0,
                 touching: Touching = Touching.COLLIDES, threads: int = 0) -> Optional[Penetration]:
     """Returns the shortest translation of b that separates two overlapping regions; None if they are apart.
 
@@ -621,7 +619,7 @@ def penetration(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, ma
     array([1., 0.])
     """
 
-def depth(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, threads: int = 0) -> Depth:
+def depth(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, threads: int = 0) -> Depth:
     """Returns the largest depth of a point of either region in the other one. 0 where they touch or are apart.
 
     >>> bar = tc.Polygon.box(9, 1)
@@ -629,14 +627,14 @@ def depth(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, threads:
     0.5
     """
 
-def excess(part: Polygon, pose_part: PosesLike, area: Polygon, pose_area: PosesLike, threads: int = 0) -> Excess:
+def excess(part: Polygon, pose_part: _PosesLike, area: Polygon, pose_area: _PosesLike, threads: int = 0) -> Excess:
     """Returns how far a part sticks out of an area: the directed Hausdorff distance of the regions.
 
     >>> tc.excess(tc.Polygon.box(1, 1), [(0, 0, 0), (5, 0, 0)], tc.Polygon.box(9, 9), (0, 0, 0)).distance
     array([0., 1.])
     """
 
-def hausdorff_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike,
+def hausdorff_distance(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike,
                        threads: int = 0) -> Union[float, NDArray[np.float64]]:
     """Returns the Hausdorff distance of two regions, a length.
 
@@ -645,7 +643,7 @@ def hausdorff_distance(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesL
     0.5
     """
 
-def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, most: Optional[int] = None,
+def contacts(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0, most: Optional[int] = None,
              detail: ContactDetail = ContactDetail.LOCAL_DEPTH, touching: Touching = Touching.COLLIDES,
              threads: int = 0) -> Union[List[Contact], List[List[Contact]]]:
     """Returns one contact for each connected component of the overlap, the `most` deepest first. Of many poses, lists.
@@ -657,7 +655,7 @@ def contacts(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margi
     [0.5]
     """
 
-def crossings(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0,
+def crossings(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0,
               touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[Crossing, List[Crossing]]:
     """Returns all pairs of edges that are no farther apart than the margin, as arrays. Of many poses, a list.
 
@@ -666,7 +664,7 @@ def crossings(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, marg
     [1, 2]
     """
 
-def cast_ray(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0,
+def cast_ray(polygon: Polygon, pose: _PosesLike, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0,
              threads: int = 0) -> Optional[RayHit]:
     """Returns where the segment from one point of the world to another first meets the region; None if it doesn't.
 
@@ -676,7 +674,7 @@ def cast_ray(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point:
     array([-1.,  0.])
     """
 
-def cast_ray_all(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0,
+def cast_ray_all(polygon: Polygon, pose: _PosesLike, from_point: ArrayLike, to_point: ArrayLike, margin: float = 0.0,
                  threads: int = 0) -> Union[List[RayInterval], List[List[RayInterval]]]:
     """Returns all parts of a segment that are in the region, in order. Of many, lists.
 
@@ -684,7 +682,7 @@ def cast_ray_all(polygon: Polygon, pose: PosesLike, from_point: ArrayLike, to_po
     [0.75]
     """
 
-def time_of_impact(a: Polygon, motion_a: AnyMotion, b: Polygon, motion_b: AnyMotion, margin: float = 0.0,
+def time_of_impact(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion, margin: float = 0.0,
                    time_error: float = 1e-6, ignore_initial: bool = False, threads: int = 0) -> Optional[Impact]:
     """Returns the first contact of two moving bodies, or None. No contact is missed.
 
@@ -697,7 +695,7 @@ def time_of_impact(a: Polygon, motion_a: AnyMotion, b: Polygon, motion_b: AnyMot
     4.0
     """
 
-def conflicts(a: Polygon, motion_a: AnyMotion, b: Polygon, motion_b: AnyMotion, margin: float = 0.0, time_error: float = 1e-6,
+def conflicts(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion, margin: float = 0.0, time_error: float = 1e-6,
               ignore_initial: bool = False, threads: int = 0) -> Union[List[Conflict], List[List[Conflict]]]:
     """Returns all intervals of time in which two moving bodies meet. Ways are those of time_of_impact().
 
@@ -707,7 +705,7 @@ def conflicts(a: Polygon, motion_a: AnyMotion, b: Polygon, motion_b: AnyMotion, 
     [8.0]
     """
 
-def least_distance(a: Polygon, motion_a: AnyMotion, b: Polygon, motion_b: AnyMotion, margin: float = 0.0, error: float = 1e-6,
+def least_distance(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion, margin: float = 0.0, absolute_error: float = 1e-6,
                    threads: int = 0) -> LeastDistance:
     """Returns the least distance of two moving bodies, with when and where it is. Ways are those of time_of_impact().
 
@@ -726,7 +724,7 @@ class OccupancyMap:
     >>> grid.outline().centroid
     array([10.75,  0.5 ])
     """
-    def __init__(self, cells: ArrayLike, resolution: float = 1.0, pose: PosesLike = (0, 0, 0), origin: ArrayLike = (0, 0)) -> None:
+    def __init__(self, cells: ArrayLike, resolution: float = 1.0, pose: _PosesLike = (0, 0, 0), origin: ArrayLike = (0, 0)) -> None:
         """Makes a map from cells, (height, width) of int8, the lowest row first: 0 is free, 100 occupied, -1 unknown.
 
         `resolution` is the side of a cell. `pose` takes the grid's frame to the world, and `origin` is the corner of the first
@@ -808,7 +806,7 @@ class Scene:
         >>> len(tc.Scene())
         0
         """
-    def add(self, polygon: Union[Polygon, Sequence[Polygon]], pose: PosesLike, margin: float = 0.0, category: int = 1,
+    def add(self, polygon: Union[Polygon, Sequence[Polygon]], pose: _PosesLike, margin: float = 0.0, category: int = 1,
             mask: int = 0xFFFFFFFF, touching: Touching = Touching.COLLIDES) -> Any:
         """Adds a body, and returns its handle; or adds many, and returns a list of handles.
 
@@ -839,7 +837,7 @@ class Scene:
         >>> scene = tc.Scene()
         >>> scene.remove(scene.add(tc.Polygon.box(1, 1), (0, 0, 0)))
         """
-    def move(self, body: Union[int, ArrayLike], pose: PosesLike, threads: int = 0) -> None:
+    def move(self, body: Union[int, ArrayLike], pose: _PosesLike, threads: int = 0) -> None:
         """Moves a body to a pose; or many bodies, a list of handles, to as many poses.
 
         >>> scene = tc.Scene()
@@ -896,8 +894,8 @@ class Scene:
         >>> tc.Scene().ended
         []
         """
-    def collides(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0, mask: int = 0xFFFFFFFF,
-                 ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES, threads: int = 0) -> Answers:
+    def collides(self, polygon: Polygon, pose: _PosesLike, margin: float = 0.0, tolerance: float = 0.0, mask: int = 0xFFFFFFFF,
+                 ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES, threads: int = 0) -> _Answers:
         """Returns whether a polygon at a pose collides with a body. Of many poses, (n,).
 
         >>> scene = tc.Scene()
@@ -905,7 +903,7 @@ class Scene:
         >>> scene.collides(tc.Polygon.box(2, 2), [(1, 0, 0), (9, 0, 0)])
         array([ True, False])
         """
-    def any_colliding(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
+    def any_colliding(self, polygon: Polygon, pose: _PosesLike, margin: float = 0.0, tolerance: float = 0.0,
                       mask: int = 0xFFFFFFFF, ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES,
                       threads: int = 0) -> Any:
         """Returns a body that collides with a polygon, or None. Of many poses, an array of handles, NO_BODY for none.
@@ -915,7 +913,7 @@ class Scene:
         >>> scene.any_colliding(tc.Polygon.box(2, 2), [(1, 0, 0), (9, 0, 0)]) == tc.NO_BODY
         array([False,  True])
         """
-    def colliding(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, tolerance: float = 0.0, mask: int = 0xFFFFFFFF,
+    def colliding(self, polygon: Polygon, pose: _PosesLike, margin: float = 0.0, tolerance: float = 0.0, mask: int = 0xFFFFFFFF,
                   ignored: Optional[int] = None, touching: Touching = Touching.COLLIDES,
                   threads: int = 0) -> Union[List[Body], List[List[Body]]]:
         """Returns all bodies that collide with a polygon, sorted. Of many poses, a list of lists.
@@ -925,8 +923,8 @@ class Scene:
         >>> scene.colliding(tc.Polygon.box(2, 2), (2.5, 0, 0)) == bodies[1:]
         True
         """
-    def covers(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
-               ignored: Optional[int] = None, threads: int = 0) -> Answers:
+    def covers(self, polygon: Polygon, pose: _PosesLike, margin: float = 0.0, mask: int = 0xFFFFFFFF,
+               ignored: Optional[int] = None, threads: int = 0) -> _Answers:
         """Returns whether the union of the bodies holds all of a polygon. Of many poses, (n,).
 
         >>> scene = tc.Scene()
@@ -934,7 +932,7 @@ class Scene:
         >>> scene.covers(tc.Polygon.box(1, 1), [(1, 0, 0), (3, 0, 0)])
         array([ True, False])
         """
-    def first_exit(self, polygon: Polygon, motion: AnyMotion, margin: float = 0.0, mask: int = 0xFFFFFFFF,
+    def first_exit(self, polygon: Polygon, motion: _AnyMotion, margin: float = 0.0, mask: int = 0xFFFFFFFF,
                    ignored: Optional[int] = None, threads: int = 0) -> Optional[Exit]:
         """Returns the first time at which covers() is false of a moving polygon, or None. It is never late.
 
@@ -943,7 +941,7 @@ class Scene:
         >>> round(scene.first_exit(tc.Polygon.box(2, 1), tc.Motion.translation((0, 0, 0), (8, 0))).time, 5)
         0.5
         """
-    def nearest(self, polygon: Polygon, pose: PosesLike, margin: float = 0.0, relative_error: float = 0.0,
+    def nearest(self, polygon: Polygon, pose: _PosesLike, margin: float = 0.0, relative_error: float = 0.0,
                 absolute_error: float = 0.0, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                 threads: int = 0) -> Optional[BodyDistance]:
         """Returns the body nearest to a polygon and how far it is; None without bodies. Of many poses, arrays.
@@ -954,7 +952,7 @@ class Scene:
         >>> body == bodies[0], gap.distance
         (True, 1.0)
         """
-    def nearest_within(self, polygon: Polygon, pose: PosesLike, limit: float, margin: float = 0.0, relative_error: float = 0.0,
+    def nearest_within(self, polygon: Polygon, pose: _PosesLike, limit: float, margin: float = 0.0, relative_error: float = 0.0,
                        absolute_error: float = 0.0, mask: int = 0xFFFFFFFF, ignored: Optional[int] = None,
                        threads: int = 0) -> Optional[BodyDistance]:
         """Returns the nearest body if it is no farther away than `limit`, or None. Of many poses, arrays.
@@ -964,7 +962,7 @@ class Scene:
         >>> scene.nearest_within(tc.Polygon.box(2, 2), [(3, 0, 0), (9, 0, 0)], limit=2).result.found
         array([ True, False])
         """
-    def nearest_k(self, polygon: Polygon, pose: PosesLike, count: int, limit: float = float("inf"), margin: float = 0.0,
+    def nearest_k(self, polygon: Polygon, pose: _PosesLike, count: int, limit: float = float("inf"), margin: float = 0.0,
                   relative_error: float = 0.0, absolute_error: float = 0.0, mask: int = 0xFFFFFFFF,
                   ignored: Optional[int] = None, threads: int = 0) -> Union[List[BodyDistance], List[List[BodyDistance]]]:
         """Returns the `count` nearest bodies no farther away than `limit`, the nearest first. Of many poses, lists.
@@ -974,7 +972,7 @@ class Scene:
         >>> [near.result.distance for near in scene.nearest_k(tc.Polygon.box(2, 2), (3, 0, 0), count=2)]
         [1.0, 4.0]
         """
-    def first_impact(self, polygon: Polygon, motion: AnyMotion, margin: float = 0.0, time_error: float = 1e-6,
+    def first_impact(self, polygon: Polygon, motion: _AnyMotion, margin: float = 0.0, time_error: float = 1e-6,
                      mask: int = 0xFFFFFFFF, ignored: Optional[int] = None, ignore_initial: bool = False,
                      threads: int = 0) -> Optional[BodyImpact]:
         """Returns the body that a moving polygon meets first while all bodies rest, or None. Of many ways, arrays.
@@ -985,7 +983,7 @@ class Scene:
         >>> met == body, round(impact.time, 5)
         (True, 0.5)
         """
-    def impacts(self, motions: BodyMotions, margin: float = 0.0, time_error: float = 1e-6, ignore_initial: bool = False,
+    def impacts(self, motions: _BodyMotions, margin: float = 0.0, time_error: float = 1e-6, ignore_initial: bool = False,
                 threads: int = 0) -> List[PairImpact]:
         """Returns all pairs that meet while some bodies move and the others rest, each at its first time.
 
@@ -996,7 +994,7 @@ class Scene:
         >>> [round(found.impact.time, 5) for found in scene.impacts({one: tc.Motion.translation((0, 0, 0), (8, 0))})]
         [0.5]
         """
-    def conflicts(self, motions: BodyMotions, margin: float = 0.0, time_error: float = 1e-6, ignore_initial: bool = False,
+    def conflicts(self, motions: _BodyMotions, margin: float = 0.0, time_error: float = 1e-6, ignore_initial: bool = False,
                   threads: int = 0) -> List[PairConflict]:
         """Returns all intervals of time in which any two bodies meet, the earliest first. Arguments are those of impacts().
 
@@ -1043,7 +1041,7 @@ class SvgDrawing:
 
         >>> drawing = tc.SvgDrawing(400)
         """
-    def polygon(self, polygon: Polygon, pose: PosesLike, fill: str, stroke: str = "#333", margin: float = 0.0) -> None:
+    def polygon(self, polygon: Polygon, pose: _PosesLike, fill: str, stroke: str = "#333", margin: float = 0.0) -> None:
         """Draws a polygon at a pose, or at each of many. What is within the margin gets a paler fill.
 
         >>> tc.SvgDrawing().polygon(tc.Polygon.box(2, 1), [(0, 0, 0), (3, 0, 0)], fill="none")
@@ -1063,27 +1061,27 @@ class SvgDrawing:
 
         >>> tc.SvgDrawing().text((0, 0), "here")
         """
-    def covering(self, polygon: Polygon, pose: PosesLike) -> None:
+    def covering(self, polygon: Polygon, pose: _PosesLike) -> None:
         """Draws the triangles of a polygon's covering.
 
         >>> tc.SvgDrawing().covering(tc.Polygon.box(2, 1), (0, 0, 0))
         """
-    def influence_areas(self, polygon: Polygon, pose: PosesLike, length: float, fill: str = "#f59e0b") -> None:
+    def influence_areas(self, polygon: Polygon, pose: _PosesLike, length: float, fill: str = "#f59e0b") -> None:
         """Draws the bounded influence areas of all edges for a length.
 
         >>> tc.SvgDrawing().influence_areas(tc.Polygon.box(2, 1), (0, 0, 0), 0.1)
         """
-    def boxes(self, polygon: Polygon, pose: PosesLike, level: int, stroke: str = "#7c3aed") -> None:
+    def boxes(self, polygon: Polygon, pose: _PosesLike, level: int, stroke: str = "#7c3aed") -> None:
         """Draws the boxes of a polygon's hierarchy on one level; 0 is the box around all.
 
         >>> tc.SvgDrawing().boxes(tc.Polygon.box(2, 1), (0, 0, 0), 0)
         """
-    def inner_discs(self, polygon: Polygon, pose: PosesLike, fill: str = "#16a34a") -> None:
+    def inner_discs(self, polygon: Polygon, pose: _PosesLike, fill: str = "#16a34a") -> None:
         """Draws the discs that are known to lie in the region.
 
         >>> tc.SvgDrawing().inner_discs(tc.Polygon.box(2, 1), (0, 0, 0))
         """
-    def hits(self, a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike) -> None:
+    def hits(self, a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike) -> None:
         """Draws the edges of each polygon that meet an edge of the other.
 
         >>> tc.SvgDrawing().hits(tc.Polygon.box(2, 1), (0, 0, 0), tc.Polygon.box(2, 1), (1, 0, 0))

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._enums import InfluenceKind as InfluenceKind, Touching
 from ._results import CoveringTriangle
-from ._tricover import Polygon, PosesLike
+from ._tricover import Polygon, _PosesLike
 
 __all__ = ["InfluenceKind", "bounded_influence_area", "collide", "covering", "in_influence_area", "influence_mask"]
 
@@ -41,7 +41,7 @@ def bounded_influence_area(polygon: Polygon, edge: int, length: float) -> NDArra
     (4, 2)
     """
 
-def collide(a: Polygon, pose_a: PosesLike, b: Polygon, pose_b: PosesLike, margin: float = 0.0, tolerance: float = 0.0,
+def collide(a: Polygon, pose_a: _PosesLike, b: Polygon, pose_b: _PosesLike, margin: float = 0.0, tolerance: float = 0.0,
             touching: Touching = Touching.COLLIDES, threads: int = 0) -> Union[bool, NDArray[np.bool_]]:
     """Returns what tricover.collide() does, by Algorithm 3, in O(n m).
 
