@@ -94,6 +94,7 @@ struct type_caster<tricover_python::Shape> {
 TRICOVER_PYTHON_ENUM(tricover, ContactDetail);
 TRICOVER_PYTHON_ENUM(tricover, FillRule);
 TRICOVER_PYTHON_ENUM(tricover, Location);
+TRICOVER_PYTHON_ENUM(tricover, SelfCrossingKind);
 TRICOVER_PYTHON_ENUM(tricover, Simplify);
 TRICOVER_PYTHON_ENUM(tricover, Touching);
 TRICOVER_PYTHON_ENUM(tricover::paper, InfluenceKind);

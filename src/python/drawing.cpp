@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
+#include "python/shown.h"
 #include "python/ways.h"
 
 namespace tricover_python {
 namespace {
 
 using tricover::SvgDrawing;
-
-tricover::Vec2 vectorIn(const py::handle& record, const char* field) { return pointFrom(record.attr(field), field); }
-
-/// What a drawing shows of a Distance.
-tricover::DistanceResult distanceFrom(const py::object& given) {
-  if (!py::isinstance(given, resultClass("Distance"))) throw py::type_error("result: a Distance of one pair is wanted");
-  return {0, vectorIn(given, "point_a"), vectorIn(given, "point_b"), -1, -1};
-}
-
-tricover::Impact impactFrom(const py::object& given) {
-  if (!py::isinstance(given, resultClass("Impact"))) throw py::type_error("impact: an Impact of one pair is wanted");
-  return {given.attr("time").cast<double>(), vectorIn(given, "point"), vectorIn(given, "normal"), -1, -1, false};
-}
-
-std::vector<tricover::Contact> contactsFrom(const py::object& given) {
-  std::vector<tricover::Contact> contacts;
-  for (const py::handle one : given) {
-    tricover::Contact contact{};
-    contact.point = vectorIn(one, "point");
-    contact.normal = vectorIn(one, "normal");
-    contact.depth = one.attr("depth").cast<double>();
-    contact.edge_a = contact.edge_b = -1;
-    const std::vector<tricover::Vec2> points = verticesFrom(one.attr("points"), "points");
-    contact.count = std::min<std::size_t>(2, points.size());
-    for (std::size_t k = 0; k < 2 && !points.empty(); ++k)
-      contact.points[k] = {points[std::min(k, points.size() - 1)], contact.depth};
-    contacts.push_back(contact);
-  }
-  return contacts;
-}
 
 void defineShapes(py::class_<SvgDrawing>& drawing) {
   drawing.def(py::init<double>(), py::arg("width_px") = 800.0, doc("SvgDrawing.__init__"))
@@ -63,6 +34,7 @@ void defineShapes(py::class_<SvgDrawing>& drawing) {
             self.text(pointFrom(position, "position"), written);
           },
           py::arg("position"), py::arg("text"), doc("SvgDrawing.text"))
+      .def("save", &SvgDrawing::save, py::arg("path"), doc("SvgDrawing.save"))
       .def("__str__", &SvgDrawing::str)
       .def("_repr_svg_", &SvgDrawing::str);
 }

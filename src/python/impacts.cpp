@@ -44,13 +44,13 @@ void defineImpacts(py::module_& m) {
   m.def(
       "least_distance",
       [](const Shape& a, const py::object& motion_a, const Shape& b, const py::object& motion_b, double margin,
-         double error, std::size_t threads) {
+         double absolute_error, std::size_t threads) {
         return ofWays(motion_a, motion_b, threads, [&](const auto& on_a, const auto& on_b) {
-          return tricover::leastDistance(a, on_a, b, on_b, {margin, error});
+          return tricover::leastDistance(a, on_a, b, on_b, {margin, absolute_error});
         });
       },
       py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::arg("margin") = 0.0,
-      py::arg("error") = 1e-6, py::arg("threads") = 0, doc("least_distance"));
+      py::arg("absolute_error") = 1e-6, py::arg("threads") = 0, doc("least_distance"));
 }
 
 }  // namespace tricover_python

@@ -2,6 +2,7 @@
 // Grids of cells, and ROS's maps.
 #include <pybind11/stl.h>
 #include <tricover/occupancy_grid_io.h>
+#include <tricover/rasterize.h>
 
 #include <algorithm>
 #include <utility>
@@ -89,6 +90,18 @@ void defineMaps(py::module_& m) {
       },
       py::arg("cells"), py::arg("resolution") = 1.0, py::arg("origin") = zero, doc("outline"));
   m.def("read_occupancy_map", &tricover::readOccupancyMap, py::arg("yaml"), doc("read_occupancy_map"));
+  m.def("write_occupancy_map", &tricover::writeOccupancyMap, py::arg("map"), py::arg("yaml"), py::arg("image") = "",
+        doc("write_occupancy_map"));
+  m.def(
+      "rasterize",
+      [](const Shape& polygon, const py::object& pose, const OccupancyMap& map, double margin, double tolerance,
+         tricover::Touching touching) {
+        const std::vector<std::size_t> cells =
+            tricover::rasterize(polygon, onePose(pose, "pose"), map, {margin, tolerance, touching});
+        return arrayOf<std::int64_t>(cells.size(), [&](std::size_t i) { return cells[i]; });
+      },
+      py::arg("polygon"), py::arg("pose"), py::arg("map"), py::arg("margin") = 0.0, py::arg("tolerance") = 0.0,
+      py::arg("touching") = tricover::Touching::Collides, doc("rasterize"));
 }
 
 }  // namespace tricover_python

@@ -18,6 +18,8 @@ PYBIND11_MODULE(_tricover, m) {
   defineScene(m);
   defineMaps(m);
   defineDrawing(m);
+  defineGeo(m);
+  defineRecording(m);
   py::module_ paper = m.def_submodule("_paper");
   paper.attr("__module__") = "tricover.paper";
   definePaper(paper);

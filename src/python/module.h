@@ -19,6 +19,8 @@ void defineSceneMotions(py::class_<tricover::Scene>& scene);
 void defineMaps(py::module_& m);
 void definePaper(py::module_& m);
 void defineDrawing(py::module_& m);
+void defineGeo(py::module_& m);
+void defineRecording(py::module_& m);
 
 /// The region of an object with __geo_interface__, or of such a dictionary.
 tricover::Polygon polygonFromGeo(const py::object& given);

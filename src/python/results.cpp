@@ -10,6 +10,11 @@ py::object one(const tricover::Contact& c) {
                                 arrayOf<double>(c.count, [&](std::size_t k) { return c.points[k].depth; }));
 }
 
+py::object one(const tricover::SelfCrossing& c) {
+  return resultClass("SelfCrossing")(py::cast(c.kind), arrayOf(c.point), c.ring_a, c.ring_b, c.edge_a, c.edge_b,
+                                     c.text);
+}
+
 py::object one(const std::vector<tricover::Crossing>& crossings) { return many(crossings); }
 
 }  // namespace tricover_python

@@ -42,10 +42,12 @@ TRICOVER_PYTHON_RECORD(RayInterval, "RayInterval", &R::begin, &R::end);
 TRICOVER_PYTHON_RECORD(Exit, "Exit", &R::time, &R::point, &R::budget_ended);
 TRICOVER_PYTHON_RECORD(BodyOptions, "BodyOptions", &R::margin, &R::category, &R::mask, &R::touching);
 TRICOVER_PYTHON_RECORD(BodyDistance, "BodyDistance", &R::body, &R::result);
+TRICOVER_PYTHON_RECORD(BodyLeastDistance, "BodyLeastDistance", &R::body, &R::least);
 TRICOVER_PYTHON_RECORD(BodyImpact, "BodyImpact", &R::body, &R::impact);
 TRICOVER_PYTHON_RECORD(BodyRayHit, "BodyRayHit", &R::body, &R::hit);
 TRICOVER_PYTHON_RECORD(BodyRayInterval, "BodyRayInterval", &R::body, &R::interval);
 TRICOVER_PYTHON_RECORD(BodyPair, "BodyPair", &R::first, &R::second);
+TRICOVER_PYTHON_RECORD(PairContact, "PairContact", &R::pair, &R::contact);
 TRICOVER_PYTHON_RECORD(PairImpact, "PairImpact", &R::pair, &R::impact);
 TRICOVER_PYTHON_RECORD(PairConflict, "PairConflict", &R::pair, &R::conflict);
 TRICOVER_PYTHON_RECORD(paper::CoveringTriangle, "CoveringTriangle", &R::s, &R::v, &R::w, &R::sign);
@@ -61,6 +63,7 @@ inline py::object one(const tricover::Vec2& value) { return arrayOf(value); }
 inline py::object one(tricover::Touching value) { return py::cast(value); }
 inline py::object one(tricover::Location value) { return py::cast(value); }
 py::object one(const tricover::Contact& contact);
+py::object one(const tricover::SelfCrossing& crossing);
 /// Crossings are many as a rule: one tuple, of arrays.
 py::object one(const std::vector<tricover::Crossing>& crossings);
 template <typename Result, typename = decltype(Record<Result>::kName)>

@@ -76,6 +76,13 @@ void defineBodies(py::class_<Scene>& scene) {
           "options", [](const Scene& self, Body body) { return one(self.options(body.handle)); }, py::arg("body"),
           doc("Scene.options"))
       .def(
+          "set_ignored",
+          [](Scene& self, Body a, Body b, bool ignored) { self.setIgnored(a.handle, b.handle, ignored); }, py::arg("a"),
+          py::arg("b"), py::arg("ignored") = true, doc("Scene.set_ignored"))
+      .def(
+          "is_ignored", [](const Scene& self, Body a, Body b) { return self.isIgnored(a.handle, b.handle); },
+          py::arg("a"), py::arg("b"), doc("Scene.is_ignored"))
+      .def(
           "remove", [](Scene& self, Body body) { self.remove(body.handle); }, py::arg("body"), doc("Scene.remove"))
       .def("move", &move, py::arg("body"), py::arg("pose"), py::arg("threads") = 0, doc("Scene.move"))
       .def_property_readonly(
@@ -103,6 +110,17 @@ void defineCollisions(py::class_<Scene>& scene) {
             return one(found);
           },
           py::arg("threads") = 1, doc("Scene.collisions"))
+      .def(
+          "contacts",
+          [](Scene& self, tricover::ContactDetail detail, std::size_t threads) {
+            std::vector<tricover::PairContact> found;
+            {
+              const py::gil_scoped_release released;
+              found = self.contacts(detail, threads == 1 ? tricover::Parallel() : parallelOn(threads));
+            }
+            return one(found);
+          },
+          py::arg("detail") = tricover::ContactDetail::LocalDepth, py::arg("threads") = 1, doc("Scene.contacts"))
       .def_property_readonly(
           "began", [](const Scene& self) { return one(self.began()); }, doc("Scene.began"))
       .def_property_readonly(

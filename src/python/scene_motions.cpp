@@ -66,6 +66,17 @@ void defineSingle(py::class_<Scene>& scene) {
           py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("ignore_initial") = false,
           py::arg("threads") = 0, doc("Scene.first_impact"))
       .def(
+          "least_distance",
+          [](const Scene& self, const Shape& polygon, const py::object& motion, double margin, double absolute_error,
+             Mask mask, std::optional<Body> ignored, std::size_t threads) {
+            const tricover::BodyFilter filter = filterFrom(mask, ignored);
+            return ofWay(motion, threads, [&](const auto& way) {
+              return self.leastDistance(polygon, way, {margin, absolute_error}, filter);
+            });
+          },
+          py::arg("polygon"), py::arg("motion"), py::arg("margin") = 0.0, py::arg("absolute_error") = 1e-6,
+          py::arg("mask") = kAll, py::arg("ignored") = py::none(), py::arg("threads") = 0, doc("Scene.least_distance"))
+      .def(
           "first_exit",
           [](const Scene& self, const Shape& polygon, const py::object& motion, double margin, Mask mask,
              std::optional<Body> ignored, std::size_t threads) {
@@ -100,12 +111,12 @@ void defineAll(py::class_<Scene>& scene) {
           [](const Scene& self, const py::object& motions, double margin, double time_error, bool ignore_initial,
              std::size_t threads) {
             const MovingBodies moving = movingFrom(motions);
-            if (!moving.motions.empty())
-              throw py::type_error("motions: Trajectories are wanted; make one by Trajectory([(begin, end, motion)])");
             std::vector<tricover::PairConflict> found;
             {
               const py::gil_scoped_release released;
-              found = self.conflicts(moving.trajectories, {margin, time_error, ignore_initial}, parallelOn(threads));
+              const tricover::ImpactOptions options{margin, time_error, ignore_initial};
+              found = moving.trajectories.empty() ? self.conflicts(moving.motions, options, parallelOn(threads))
+                                                  : self.conflicts(moving.trajectories, options, parallelOn(threads));
             }
             return one(found);
           },

@@ -84,16 +84,16 @@ void defineNearest(py::class_<Scene>& scene) {
           py::arg("ignored") = py::none(), py::arg("threads") = 0, doc("Scene.nearest_within"))
       .def(
           "nearest_k",
-          [](const Scene& self, const Shape& polygon, const py::object& pose, std::size_t count, double limit,
+          [](const Scene& self, const Shape& polygon, const py::object& pose, std::size_t most, double limit,
              double margin, double relative_error, double absolute_error, Mask mask, std::optional<Body> ignored,
              std::size_t threads) {
             const Poses poses = posesFrom(pose, "pose");
             const tricover::BodyFilter filter = filterFrom(mask, ignored);
             return Count().of(poses, "pose").answers(threads, kCheap, [&](std::size_t i) {
-              return self.nearestK(polygon, poses[i], count, limit, {margin, relative_error, absolute_error}, filter);
+              return self.nearestK(polygon, poses[i], most, limit, {margin, relative_error, absolute_error}, filter);
             });
           },
-          py::arg("polygon"), py::arg("pose"), py::arg("count"),
+          py::arg("polygon"), py::arg("pose"), py::arg("most"),
           py::arg("limit") = std::numeric_limits<double>::infinity(), py::arg("margin") = 0.0,
           py::arg("relative_error") = 0.0, py::arg("absolute_error") = 0.0, py::arg("mask") = kAll,
           py::arg("ignored") = py::none(), py::arg("threads") = 0, doc("Scene.nearest_k"));

@@ -20,6 +20,7 @@ matrix have one shape. An array (3, 3) whose last row is 0, 0, 1 may be either, 
 """
 from . import paper
 from ._enums import *
+from ._geo import *
 from ._results import *
 from ._scene_results import *
 from ._tricover import *

@@ -2,7 +2,7 @@
 """Enumerations. They are ints, so that arrays of their numbers compare with members."""
 from enum import IntEnum
 
-__all__ = ["ContactDetail", "FillRule", "InfluenceKind", "Location", "Simplify", "Touching"]
+__all__ = ["ContactDetail", "FillRule", "InfluenceKind", "Location", "SelfCrossingKind", "Simplify", "Touching"]
 
 
 class ContactDetail(IntEnum):
@@ -59,6 +59,27 @@ class Location(IntEnum):
     OUTSIDE = 0
     BOUNDARY = 1
     INSIDE = 2
+
+
+class SelfCrossingKind(IntEnum):
+    """What self_crossings() finds.
+
+    CROSSING: Two edges cross at a point that is an end of neither.
+    CROSSING_AT_VERTEX: Rings cross where a vertex is on another edge, or equal to another vertex.
+    OVERLAP: Two edges run along each other for more than a point.
+    REPEATED_RING: Two rings have the same vertices in the same cyclic order, forwards or backwards.
+    NO_AREA: All vertices of a ring are on one line, or equal.
+    HOLE_OUTSIDE: A ring runs the way that holes run, but the region is inside of it.
+
+    >>> tc.self_crossings(tc.Polygon([(0, 0), (1, 0), (2, 0)]))[0].kind == tc.SelfCrossingKind.OVERLAP
+    True
+    """
+    CROSSING = 0
+    CROSSING_AT_VERTEX = 1
+    OVERLAP = 2
+    REPEATED_RING = 3
+    NO_AREA = 4
+    HOLE_OUTSIDE = 5
 
 
 class Simplify(IntEnum):

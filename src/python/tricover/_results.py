@@ -11,6 +11,8 @@ from typing import Any, NamedTuple, TypeVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ._enums import SelfCrossingKind
+
 Floats = Union[float, NDArray[np.float64]]
 Ints = Union[int, NDArray[np.int64]]
 Bools = Union[bool, NDArray[np.bool_]]
@@ -40,23 +42,29 @@ def _equal(self: Any, other: object) -> Any:
     if not isinstance(other, tuple):
         return NotImplemented
     return len(self) == len(other) and all(
-        bool(p == q) if isinstance(p, tuple) else np.array_equal(p, q, equal_nan=True) for p, q in zip(self, other))
+        np.array_equal(p, q, equal_nan=True) if isinstance(p, (float, np.ndarray)) else bool(np.all(p == q))
+        for p, q in zip(self, other))
 
 
 def _key(value: Any) -> Any:
     return ((value + 0.0).tobytes() if value.dtype.kind == "f" else value.tobytes()) if isinstance(value, np.ndarray) else value
 
 
-def _result(cls: _Type) -> _Type:
-    """Makes it compare by its arrays' items, and gives each field the text that the docstring has."""
-    setattr(cls, "__eq__", _equal)
-    setattr(cls, "__ne__", lambda self, other: NotImplemented if (same := _equal(self, other)) is NotImplemented else not same)
-    setattr(cls, "__hash__", lambda self: hash(tuple(_key(value) for value in self)))
-    setattr(cls, "__module__", "tricover")
+def _documented(cls: _Type) -> _Type:
+    """Gives each field the text that the docstring has."""
     texts = dict(re.findall(r"^    (\w+): ((?:.+\n(?:        .+\n)*))", cls.__doc__ or "", re.M))
     for field in getattr(cls, "_fields"):
         getattr(cls, field).__doc__ = " ".join(texts[field].split())
     return cls
+
+
+def _result(cls: _Type) -> _Type:
+    """Makes it compare by its arrays' items."""
+    setattr(cls, "__eq__", _equal)
+    setattr(cls, "__ne__", lambda self, other: NotImplemented if (same := _equal(self, other)) is NotImplemented else not same)
+    setattr(cls, "__hash__", lambda self: hash(tuple(_key(value) for value in self)))
+    setattr(cls, "__module__", "tricover")
+    return _documented(cls)
 
 
 @_result
@@ -399,6 +407,31 @@ class Exit(NamedTuple):
         array([False,  True])
         """
         return ~np.isnan(self.time)
+
+
+@_result
+class SelfCrossing(NamedTuple):
+    """A place where the rings of a polygon cross or repeat.
+
+    kind: What is there.
+    point: Where, in the polygon's frame; rounded for CROSSING, otherwise a vertex.
+    ring_a: A ring, by its number in Polygon.rings.
+    ring_b: The other ring, or the same one.
+    edge_a: The edge of ring_a.
+    edge_b: The edge of ring_b.
+    text: A sentence in plain words.
+
+    >>> bow = tc.Polygon([(0, 0), (2, 2), (2, 0), (0, 2)])
+    >>> tc.self_crossings(bow)[0].kind.name
+    'CROSSING'
+    """
+    kind: SelfCrossingKind
+    point: Vectors
+    ring_a: int
+    ring_b: int
+    edge_a: int
+    edge_b: int
+    text: str
 
 
 @_result

@@ -3,9 +3,10 @@
 from typing import Any, NamedTuple
 
 from ._enums import Touching
-from ._results import Body, Conflict, Distance, Impact, RayHit, RayInterval, _result
+from ._results import Body, Conflict, Contact, Distance, Impact, LeastDistance, RayHit, RayInterval, _result
 
-__all__ = ["BodyDistance", "BodyImpact", "BodyOptions", "BodyPair", "BodyRayHit", "BodyRayInterval", "PairConflict", "PairImpact"]
+__all__ = ["BodyDistance", "BodyImpact", "BodyLeastDistance", "BodyOptions", "BodyPair", "BodyRayHit", "BodyRayInterval",
+           "PairConflict", "PairContact", "PairImpact"]
 
 
 @_result
@@ -42,6 +43,23 @@ class BodyDistance(NamedTuple):
     """
     body: Any
     result: Distance
+
+
+@_result
+class BodyLeastDistance(NamedTuple):
+    """The body of a Scene that a moving polygon comes nearest to.
+
+    body: The body, or NO_BODY in an array.
+    least: A LeastDistance: a is the query's polygon, b the body.
+
+    >>> scene = tc.Scene()
+    >>> body = scene.add(tc.Polygon.box(2, 2), (0, 0, 0))
+    >>> drive = tc.Motion.translation((-6, 5, 0), (8, 0))
+    >>> round(scene.least_distance(tc.Polygon.box(2, 2), drive).least.distance, 5)
+    3.0
+    """
+    body: Any
+    least: LeastDistance
 
 
 @_result
@@ -106,6 +124,22 @@ class BodyPair(NamedTuple):
     """
     first: Body
     second: Body
+
+
+@_result
+class PairContact(NamedTuple):
+    """A contact of two bodies of a Scene.
+
+    pair: A BodyPair.
+    contact: A Contact: a is pair.first, b is pair.second.
+
+    >>> scene = tc.Scene()
+    >>> bodies = scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (1.5, 0, 0)])
+    >>> [found.contact.depth for found in scene.contacts()]
+    [0.5]
+    """
+    pair: BodyPair
+    contact: Contact
 
 
 @_result

@@ -5,9 +5,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._enums import ContactDetail, FillRule, Location, Simplify, Touching
 from ._results import (Body, Contact, Crossing, Conflict, Depth, Distance, Excess, Exit, Impact, LeastDistance, Penetration, RayHit,
-                       RayInterval, SignedDistance)
-from ._scene_results import (BodyDistance, BodyImpact, BodyOptions, BodyPair, BodyRayHit, BodyRayInterval, PairConflict,
-                             PairImpact)
+                       RayInterval, SelfCrossing, SignedDistance)
+from ._scene_results import (BodyDistance, BodyImpact, BodyLeastDistance, BodyOptions, BodyPair, BodyRayHit, BodyRayInterval,
+                             PairConflict, PairContact, PairImpact)
 
 _PosesLike = Union[Poses, Sequence[Poses], ArrayLike]
 _Answers = Union[bool, NDArray[np.bool_]]
@@ -705,11 +705,11 @@ def conflicts(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion
     [8.0]
     """
 
-def least_distance(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion, margin: float = 0.0, absolute_error: float = 1e-6,
-                   threads: int = 0) -> LeastDistance:
+def least_distance(a: Polygon, motion_a: _AnyMotion, b: Polygon, motion_b: _AnyMotion, margin: float = 0.0,
+                   absolute_error: float = 1e-6, threads: int = 0) -> LeastDistance:
     """Returns the least distance of two moving bodies, with when and where it is. Ways are those of time_of_impact().
 
-    The distance is at most `error`, a length, more than the least one.
+    The distance is at most `absolute_error`, a length, more than the least one.
 
     >>> square = tc.Polygon.box(2, 2)
     >>> drive = tc.Trajectory.through([0, 10], [(-6, 5, 0), (4, 5, 0)])
@@ -789,6 +789,39 @@ def read_occupancy_map(yaml: str) -> OccupancyMap:
     RuntimeError: ...
     """
 
+def write_occupancy_map(map: OccupancyMap, yaml: str, image: str = "") -> None:
+    """Writes a map's YAML file and its image, which read_occupancy_map() reads again. `image` ends in .pgm or .png.
+
+    >>> tc.write_occupancy_map(tc.OccupancyMap(np.zeros((2, 2), np.int8)), "/nowhere/map.yaml")
+    Traceback (most recent call last):
+    RuntimeError: ...
+    """
+
+def rasterize(polygon: Polygon, pose: _PosesLike, map: OccupancyMap, margin: float = 0.0, tolerance: float = 0.0,
+              touching: Touching = Touching.COLLIDES) -> NDArray[np.int64]:
+    """Returns the cells of a map that a polygon at one pose meets, as indices into cells.ravel(), in ascending order.
+
+    >>> hall = tc.OccupancyMap(np.zeros((2, 3), np.int8))
+    >>> tc.rasterize(tc.Polygon.box(0.5, 0.5), (1.5, 0.5, 0), hall)
+    array([1])
+    """
+
+def to_wkt(polygon: Polygon) -> str:
+    """Returns a polygon in WKT: a POLYGON if it has one shell, otherwise a MULTIPOLYGON.
+
+    >>> tc.to_wkt(tc.Polygon([(0, 0), (2, 0), (0, 2)]))
+    'POLYGON ((0 0, 2 0, 0 2, 0 0))'
+    """
+
+def self_crossings(polygon: Polygon, most: int = 18446744073709551615) -> List[SelfCrossing]:
+    """Returns where rings cross themselves or each other, repeat each other, or have no area; `most` places at most.
+
+    Such a polygon is legal in every query, by its fill rule. Files for other programs need valid ones.
+
+    >>> tc.self_crossings(tc.Polygon.box(2, 2))
+    []
+    """
+
 class Scene:
     """Many polygons under poses of their own, and what collides among them.
 
@@ -830,6 +863,22 @@ class Scene:
         >>> scene = tc.Scene()
         >>> scene.options(scene.add(tc.Polygon.box(1, 1), (0, 0, 0), category=2)).category
         2
+        """
+    def set_ignored(self, a: int, b: int, ignored: bool = True) -> None:
+        """Lets two bodies touch and overlap, as a gripper and its part, or no longer.
+
+        >>> scene = tc.Scene()
+        >>> gripper, part = scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (1, 0, 0)])
+        >>> scene.set_ignored(gripper, part)
+        >>> scene.collisions()
+        []
+        """
+    def is_ignored(self, a: int, b: int) -> bool:
+        """Returns whether a pair may touch and overlap.
+
+        >>> scene = tc.Scene()
+        >>> scene.is_ignored(*scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (1, 0, 0)]))
+        False
         """
     def remove(self, body: int) -> None:
         """Removes a body.
@@ -879,6 +928,14 @@ class Scene:
         >>> bodies = scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (1, 0, 0)])
         >>> len(scene.collisions())
         1
+        """
+    def contacts(self, detail: ContactDetail = ContactDetail.LOCAL_DEPTH, threads: int = 1) -> List[PairContact]:
+        """Calls collisions() and returns all contacts of each pair in it: by pairs, then the deepest first.
+
+        >>> scene = tc.Scene()
+        >>> bodies = scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (1.5, 0, 0)])
+        >>> [(found.pair == tuple(bodies), found.contact.depth) for found in scene.contacts()]
+        [(True, 0.5)]
         """
     @property
     def began(self) -> List[BodyPair]:
@@ -962,15 +1019,25 @@ class Scene:
         >>> scene.nearest_within(tc.Polygon.box(2, 2), [(3, 0, 0), (9, 0, 0)], limit=2).result.found
         array([ True, False])
         """
-    def nearest_k(self, polygon: Polygon, pose: _PosesLike, count: int, limit: float = float("inf"), margin: float = 0.0,
+    def nearest_k(self, polygon: Polygon, pose: _PosesLike, most: int, limit: float = float("inf"), margin: float = 0.0,
                   relative_error: float = 0.0, absolute_error: float = 0.0, mask: int = 0xFFFFFFFF,
                   ignored: Optional[int] = None, threads: int = 0) -> Union[List[BodyDistance], List[List[BodyDistance]]]:
-        """Returns the `count` nearest bodies no farther away than `limit`, the nearest first. Of many poses, lists.
+        """Returns the `most` nearest bodies no farther away than `limit`, the nearest first. Of many poses, lists.
 
         >>> scene = tc.Scene()
         >>> bodies = scene.add(tc.Polygon.box(2, 2), [(0, 0, 0), (9, 0, 0), (99, 0, 0)])
-        >>> [near.result.distance for near in scene.nearest_k(tc.Polygon.box(2, 2), (3, 0, 0), count=2)]
+        >>> [near.result.distance for near in scene.nearest_k(tc.Polygon.box(2, 2), (3, 0, 0), most=2)]
         [1.0, 4.0]
+        """
+    def least_distance(self, polygon: Polygon, motion: _AnyMotion, margin: float = 0.0, absolute_error: float = 1e-6,
+                       mask: int = 0xFFFFFFFF, ignored: Optional[int] = None, threads: int = 0) -> Optional[BodyLeastDistance]:
+        """Returns the body that a moving polygon comes nearest to, and when, or None without bodies. Of many ways, arrays.
+
+        >>> scene = tc.Scene()
+        >>> body = scene.add(tc.Polygon.box(2, 2), (0, 0, 0))
+        >>> nearest, least = scene.least_distance(tc.Polygon.box(2, 2), tc.Motion.translation((-6, 5, 0), (12, 0)))
+        >>> nearest == body, round(least.distance, 5)
+        (True, 3.0)
         """
     def first_impact(self, polygon: Polygon, motion: _AnyMotion, margin: float = 0.0, time_error: float = 1e-6,
                      mask: int = 0xFFFFFFFF, ignored: Optional[int] = None, ignore_initial: bool = False,
@@ -1111,4 +1178,97 @@ class SvgDrawing:
         >>> square, still, drive = tc.Polygon.box(2, 2), tc.Motion.still((0, 0, 0)), tc.Motion.translation((-6, 0, 0), (8, 0))
         >>> tc.SvgDrawing().motions(square, still, square, drive, tc.time_of_impact(square, still, square, drive))
         """
+    def save(self, path: str) -> None:
+        """Writes the drawing to a file, which it replaces.
+
+        >>> drawing = tc.SvgDrawing()
+        >>> drawing.text((0, 0), "here")
+        >>> drawing.save("/nowhere/drawing.svg")
+        Traceback (most recent call last):
+        RuntimeError: ...
+        """
     def _repr_svg_(self) -> str: ...
+
+class SceneRecording:
+    """A scene in motion, as one HTML file that a browser plays without a network. It shows itself in a notebook.
+
+    What is drawn beside the bodies is shown for a time interval `when`, (2,), and otherwise as long as the last frame is.
+
+    >>> scene, recording = tc.Scene(), tc.SceneRecording("A robot")
+    >>> robot = scene.add(tc.Polygon.box(2, 1), (0, 0, 0))
+    >>> recording.trajectories(scene, {robot: tc.Trajectory.through([0, 9], [(0, 0, 0), (9, 0, 0)])})
+    >>> str(recording)[:15]
+    '<!DOCTYPE html>'
+    """
+    def __init__(self, title: str = "Recording") -> None:
+        """Makes an empty recording.
+
+        >>> recording = tc.SceneRecording("A robot")
+        """
+    def frame(self, time: float, scene: Scene, meeting: Sequence[Tuple[int, int]] = ()) -> None:
+        """Records where all bodies are, and which pairs meet, as collisions() says.
+
+        >>> scene, recording = tc.Scene(), tc.SceneRecording()
+        >>> robot = scene.add(tc.Polygon.box(2, 1), (0, 0, 0))
+        >>> recording.frame(0, scene, scene.collisions())
+        """
+    def trajectories(self, scene: Scene, trajectories: Union[Sequence[Tuple[int, Trajectory]], Mapping[int, Trajectory]]) -> None:
+        """Records how bodies move: pairs (body, Trajectory), or a dictionary. Other bodies rest.
+
+        >>> scene, recording = tc.Scene(), tc.SceneRecording()
+        >>> robot = scene.add(tc.Polygon.box(2, 1), (0, 0, 0))
+        >>> recording.trajectories(scene, {robot: tc.Trajectory.through([0, 9], [(0, 0, 0), (9, 0, 0)])})
+        """
+    def name(self, body: int, name: str) -> None:
+        """Names a body that is recorded.
+
+        >>> scene, recording = tc.Scene(), tc.SceneRecording()
+        >>> robot = scene.add(tc.Polygon.box(2, 1), (0, 0, 0))
+        >>> recording.frame(0, scene)
+        >>> recording.name(robot, "robot")
+        """
+    def conflicts(self, conflicts: Sequence[PairConflict]) -> None:
+        """Marks conflicts of Scene.conflicts() on the time line.
+
+        >>> tc.SceneRecording().conflicts([])
+        """
+    def impacts(self, impacts: Sequence[PairImpact]) -> None:
+        """Marks impacts of Scene.impacts() on the time line.
+
+        >>> tc.SceneRecording().impacts([])
+        """
+    def contacts(self, contacts: Sequence[Contact], when: Optional[ArrayLike] = None) -> None:
+        """Draws contacts: each point, an arrow along the normal, and the translation by the depth.
+
+        >>> square = tc.Polygon.box(2, 2)
+        >>> tc.SceneRecording().contacts(tc.contacts(square, (0, 0, 0), square, (1.5, 0, 0)), when=(0, 1))
+        """
+    def nearest(self, result: Union[Distance, LeastDistance], when: Optional[ArrayLike] = None) -> None:
+        """Draws the nearest points of a Distance, or of a LeastDistance at its time, which takes no `when`.
+
+        >>> square = tc.Polygon.box(2, 2)
+        >>> tc.SceneRecording().nearest(tc.distance(square, (0, 0, 0), square, (5, 0, 0)), when=(0, 1))
+        """
+    def ray(self, from_point: ArrayLike, to_point: ArrayLike, hit: Optional[BodyRayHit] = None,
+            when: Optional[ArrayLike] = None) -> None:
+        """Draws a ray: to its hit of Scene.cast_ray(), and faintly from there on.
+
+        >>> tc.SceneRecording().ray((0, 0), (1, 1), when=(0, 1))
+        """
+    def text(self, position: ArrayLike, text: str, when: Optional[ArrayLike] = None) -> None:
+        """Writes a line of text centred at a position, (2,).
+
+        >>> tc.SceneRecording().text((0, 0), "here", when=(0, 1))
+        """
+    def save(self, path: str) -> None:
+        """Writes the page to a file, which it replaces.
+
+        >>> scene, recording = tc.Scene(), tc.SceneRecording()
+        >>> robot = scene.add(tc.Polygon.box(2, 1), (0, 0, 0))
+        >>> recording.frame(0, scene)
+        >>> recording.save("/nowhere/robot.html")
+        Traceback (most recent call last):
+        RuntimeError: ...
+        """
+    def __copy__(self) -> SceneRecording: ...
+    def _repr_html_(self) -> str: ...
