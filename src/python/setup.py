@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lets CMake build the module: the same one that `cmake --install` installs. pip runs this file."""
+import atexit
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -34,4 +37,8 @@ class Build(build_ext):
         subprocess.run(["cmake", "--build", work, "--target", "tricover_python", "-j", jobs], check=True)
 
 
-setup(version=version(), ext_modules=[Extension("tricover._tricover", [])], cmdclass={"build_ext": Build})
+# Nothing is left beside the sources.
+work = tempfile.mkdtemp(prefix="tricover-")
+atexit.register(shutil.rmtree, work, ignore_errors=True)
+setup(version=version(), ext_modules=[Extension("tricover._tricover", [])], cmdclass={"build_ext": Build},
+      options={"build": {"build_base": work}, "egg_info": {"egg_base": work}})
