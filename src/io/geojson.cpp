@@ -7,9 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "io/input.h"
 #include "io/parts.h"
-#include "io/text_file.h"
 #include "numbers/errors.h"
+#include "numbers/whole_file.h"
 
 namespace tricover {
 namespace {
@@ -478,7 +479,7 @@ std::string toGeoJson(const std::vector<GeoFeature>& features) {
 }
 
 void writeGeoJson(const std::string& path, const std::vector<GeoFeature>& features) {
-  detail::writeText(path, toGeoJson(features));
+  detail::writeWhole(path, toGeoJson(features));
 }
 
 }  // namespace tricover

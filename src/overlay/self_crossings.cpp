@@ -282,7 +282,7 @@ class Search {
 }  // namespace detail
 
 std::vector<SelfCrossing> selfCrossings(const Polygon& polygon, std::size_t most) {
-  return detail::Search(polygon.data(), most).found();
+  return detail::Search(detail::dataOf(polygon), most).found();
 }
 
 }  // namespace tricover
