@@ -65,11 +65,11 @@ std::string geometry(fuzz::GeoBytes& geo, int depth) {
 }
 
 std::string feature(fuzz::GeoBytes& geo) {
-  constexpr std::array kIds{"", R"("id":17,)", R"("id":"do\"ck",)", R"("id":1.50,)", R"("id":null,)", R"("id":[],)"};
-  constexpr std::array kProperties{"null", "{}", R"({"a":1.50,"b":["\u00e4\n",null,true,{"c":-0}]})", "[]",
+  constexpr std::array kIds{"", R"("id":17,)", R"("id":"do\"ck",)", R"("id":1.50,)", R"("id":null,)"};
+  constexpr std::array kProperties{"null", "{}", R"({"a":1.50,"b":["\u00e4\n",null,true,{"c":-0}]})",
                                    R"({"type":"Polygon","coordinates":{}})"};
-  const std::string id = kIds[geo.bytes.byte() % kIds.size()];
-  std::string properties = kProperties[geo.bytes.byte() % kProperties.size()];
+  const std::string id = geo.oneIn(32) ? R"("id":[],)" : kIds[geo.bytes.byte() % kIds.size()];
+  std::string properties = geo.oneIn(32) ? "[]" : kProperties[geo.bytes.byte() % kProperties.size()];
   if (geo.oneIn(32)) {
     const auto depth = static_cast<std::size_t>(geo.bytes.integer(50, 65));
     properties = "{\"deep\":" + std::string(depth, '[') + std::string(depth, ']') + '}';
