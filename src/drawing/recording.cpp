@@ -10,9 +10,9 @@
 
 #include "drawing/recording_page.h"
 #include "drawing/recording_state.h"
-#include "drawing/save.h"
 #include "numbers/errors.h"
 #include "numbers/motion.h"
+#include "numbers/whole_file.h"
 
 namespace tricover {
 namespace {
@@ -261,6 +261,6 @@ std::string SceneRecording::str() const {
   return detail::recordingPage(writtenRecording(*state_));
 }
 
-void SceneRecording::save(const std::string& path) const { detail::saveText(path, str()); }
+void SceneRecording::save(const std::string& path) const { detail::writeWhole(path, str()); }
 
 }  // namespace tricover

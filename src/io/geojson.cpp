@@ -7,9 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "io/input.h"
 #include "io/parts.h"
-#include "io/text_file.h"
 #include "numbers/errors.h"
+#include "numbers/whole_file.h"
 
 namespace tricover {
 namespace {
@@ -24,6 +25,9 @@ std::string quoted(const std::string& text) { return json(text).dump(-1, ' ', fa
 std::string shortened(const std::string& text, std::size_t most) {
   return text.size() > most ? text.substr(0, most) + "..." : text;
 }
+
+/// The parser takes a byte 0 for the end.
+bool hasNul(const std::string& text) { return text.find('\0') != std::string::npos; }
 
 /// The text of a JSON value, of the events that the parser finds in it.
 class ValueText {
@@ -146,6 +150,7 @@ class Reader {
       : text_(std::move(text)), source_(std::move(source)), options_(options) {}
 
   std::vector<GeoFeature> read() {
+    if (hasNul(text_)) refuse("it is no JSON: it has a byte 0", "save it as UTF-8");
     json::sax_parse(text_, this);
     return std::move(features_);
   }
@@ -430,9 +435,13 @@ std::string geometryText(const Polygon& polygon, const std::string& name) {
 
 /// Refuses what readers would: a feature is within a list within an object.
 json valueOf(const std::string& text, const std::string& name) {
+  using Event = json::parse_event_t;
+  if (hasNul(text) || text.rfind("\xef\xbb\xbf", 0) == 0)  // the parser skips a byte order mark
+    detail::refuse(name, "it is no JSON: it has a byte order mark or a byte 0");
   try {
-    return json::parse(text, [&](int depth, json::parse_event_t, json&) {
-      if (depth + 3 > static_cast<int>(kMostDepth)) detail::refuse(name, "it nests too deep");
+    return json::parse(text, [&](int around, Event event, json&) {
+      const bool opens = event == Event::object_start || event == Event::array_start;
+      if (opens && around + 4 > static_cast<int>(kMostDepth)) detail::refuse(name, "it nests too deep");
       return true;
     });
   } catch (const json::exception& error) {
@@ -478,7 +487,7 @@ std::string toGeoJson(const std::vector<GeoFeature>& features) {
 }
 
 void writeGeoJson(const std::string& path, const std::vector<GeoFeature>& features) {
-  detail::writeText(path, toGeoJson(features));
+  detail::writeWhole(path, toGeoJson(features));
 }
 
 }  // namespace tricover

@@ -25,7 +25,7 @@ add_library(tricover_io
   src/io/pgm.cpp
   src/io/png.cpp
   src/io/rasterize.cpp
-  src/io/text_file.cpp
+  src/io/input.cpp
   src/io/wkt.cpp)
 add_library(tricover::io ALIAS tricover_io)
 target_include_directories(tricover_io PRIVATE src)

@@ -24,7 +24,7 @@ constexpr std::int8_t kFree = 0, kOccupied = 100, kUnknown = -1;
 /// The fields of a map's YAML file.
 class Fields {
  public:
-  explicit Fields(const MapInput& yaml) : name_(yaml.name) {
+  explicit Fields(const Input& yaml) : name_(yaml.name) {
     if (yaml.size > kMostBytes)
       refuseFile(name_, "has " + std::to_string(yaml.size) + " bytes, more than " + std::to_string(kMostBytes),
                  "name the YAML file, not the image");
@@ -133,21 +133,7 @@ std::string textOf(double number) {
 
 }  // namespace
 
-void refuseFile(const std::string& file, const std::string& wrong, const std::string& instead) {
-  throw std::runtime_error(refusal(file, wrong, instead));
-}
-
-MapInput openMapFile(std::ifstream& file, const std::string& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) refuseFile(path, "can't be read: " + error.message());
-  file.open(path, std::ios::binary);
-  if (!file) refuseFile(path, "can't be opened", "check its permissions");
-  file.imbue(std::locale::classic());
-  return {file, size, path};
-}
-
-MapFields readMapFields(const MapInput& yaml) {
+MapFields readMapFields(const Input& yaml) {
   const Fields fields(yaml);
   MapFields map;
   map.mode = modeOf(fields);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/map_input.h"
+#include "io/input.h"
 #include "tricover/pose.h"
 
 namespace tricover::detail {
@@ -24,7 +24,7 @@ struct MapFields {
 };
 
 /// \throws std::runtime_error for what is no map's YAML file
-MapFields readMapFields(const MapInput& yaml);
+MapFields readMapFields(const Input& yaml);
 
 /// The cell's value for each grey i / white of the image, i from 0 to white.
 std::vector<std::int8_t> valuesOfGreys(const MapFields& fields, std::size_t white);

@@ -15,7 +15,7 @@ namespace {
 /// How far an entry of the pose that is read may be from the one that was written.
 constexpr double kYawTolerance = 1e-12;
 
-bool isPng(const MapInput& image) {
+bool isPng(const Input& image) {
   const bool found = image.in.peek() == 0x89;
   image.in.clear();  // of the end of an empty file
   return found;
@@ -66,7 +66,7 @@ std::size_t firstCell(const OccupancyGrid& grid, const Fits& fits) {
 
 }  // namespace
 
-OccupancyMap readMap(const MapFields& fields, const MapInput& image) {
+OccupancyMap readMap(const MapFields& fields, const Input& image) {
   OccupancyMap map;
   map.pose = fields.pose;
   map.grid.resolution = fields.resolution;

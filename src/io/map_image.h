@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/input.h"
 #include "io/map_fields.h"
-#include "io/map_input.h"
 #include "tricover/occupancy_grid_io.h"
 
 namespace tricover::detail {
@@ -17,11 +17,11 @@ constexpr std::int8_t kUnknownCell = -1;
 
 /// The map of these fields and their image, PGM or PNG.
 /// \throws std::runtime_error for what is no such image
-OccupancyMap readMap(const MapFields& fields, const MapInput& image);
+OccupancyMap readMap(const MapFields& fields, const Input& image);
 
 /// Reads an image's size and cells into a grid, whose other fields stay.
-void readPgm(const MapInput& image, const MapFields& fields, OccupancyGrid& grid);
-void readPng(const MapInput& image, const MapFields& fields, OccupancyGrid& grid);
+void readPgm(const Input& image, const MapFields& fields, OccupancyGrid& grid);
+void readPng(const Input& image, const MapFields& fields, OccupancyGrid& grid);
 
 /// In which mode writeMap() writes cells: scale if some are from 1 to 99.
 MapMode modeOf(const OccupancyGrid& grid);

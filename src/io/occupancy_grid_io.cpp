@@ -13,9 +13,9 @@ namespace tricover {
 
 OccupancyMap readOccupancyMap(const std::string& yaml) {
   std::ifstream file, image_file;
-  const detail::MapFields fields = detail::readMapFields(detail::openMapFile(file, yaml));
+  const detail::MapFields fields = detail::readMapFields(detail::openFile(file, yaml));
   const std::filesystem::path image = std::filesystem::path(yaml).parent_path() / fields.image;
-  return detail::readMap(fields, detail::openMapFile(image_file, image.string()));
+  return detail::readMap(fields, detail::openFile(image_file, image.string()));
 }
 
 void writeOccupancyMap(const OccupancyMap& map, const std::string& yaml, const std::string& image) {

@@ -208,10 +208,6 @@ GeoFeature join(Named all) {
 
 }  // namespace
 
-void refuseFile(const std::string& name, const std::string& wrong, const std::string& instead) {
-  throw std::runtime_error(refusal(name, wrong, instead));
-}
-
 void requireOrigin(const GeoOptions& options) { requireFinite(options.origin, "options.origin"); }
 
 GeoFeature featureOf(std::vector<Part> parts, const GeoOptions& options, const std::string& name) {

@@ -4,15 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "io/input.h"
 #include "tricover/geojson.h"
 
 namespace tricover::detail {
 
 /// A shell and its holes.
 using Part = std::vector<Ring>;
-
-/// Throws std::runtime_error, "tricover: <name>: <wrong>[; <instead>]".
-[[noreturn]] void refuseFile(const std::string& name, const std::string& wrong, const std::string& instead = {});
 
 /// Throws std::invalid_argument for an origin that is not finite.
 void requireOrigin(const GeoOptions& options);

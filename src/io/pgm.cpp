@@ -13,7 +13,7 @@ namespace {
 /// size can tell.
 class Pgm {
  public:
-  explicit Pgm(const MapInput& image) : name_(image.name), in_(image.in) {
+  explicit Pgm(const Input& image) : name_(image.name), in_(image.in) {
     std::array<char, 2> magic{};
     in_.read(magic.data(), 2);
     is_text_ = magic[1] == '2';
@@ -81,7 +81,7 @@ class Pgm {
 
 }  // namespace
 
-void readPgm(const MapInput& image, const MapFields& fields, OccupancyGrid& grid) {
+void readPgm(const Input& image, const MapFields& fields, OccupancyGrid& grid) {
   Pgm pgm(image);
   const std::vector<std::int8_t> values = valuesOfGreys(fields, pgm.white);
   grid.width = pgm.width;

@@ -48,7 +48,7 @@ class PngCall {
 /// Decodes a PNG image row by row.
 class PngReader {
  public:
-  explicit PngReader(const MapInput& image) : image_(image) {
+  explicit PngReader(const Input& image) : image_(image) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &call_, PngCall::onError, PngCall::onWarning);
     if (png_) info_ = png_create_info_struct(png_);
     if (!info_) {
@@ -125,7 +125,7 @@ class PngReader {
   bool isOpaque(std::size_t column) const { return !has_alpha_ || channel(column, channels_ - 1) == most_; }
 
   static void onRead(png_structp png, png_bytep to, std::size_t count) {
-    const MapInput& image = static_cast<PngReader*>(png_get_io_ptr(png))->image_;
+    const Input& image = static_cast<PngReader*>(png_get_io_ptr(png))->image_;
     if (!image.in.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)))
       png_error(png, "the file ends early");
   }
@@ -143,7 +143,7 @@ class PngReader {
     refuseFile(image_.name + ": " + field, "isn't from 1 to " + std::to_string(kMostPixels));
   }
 
-  MapInput image_;
+  Input image_;
   PngCall call_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
@@ -154,7 +154,7 @@ class PngReader {
 
 }  // namespace
 
-void readPng(const MapInput& image, const MapFields& fields, OccupancyGrid& grid) {
+void readPng(const Input& image, const MapFields& fields, OccupancyGrid& grid) {
   // Decoded twice, so that pixels that the file doesn't hold take no memory.
   PngReader(image).forEachPixel([](std::size_t, std::size_t, std::size_t, bool) {});
   image.in.seekg(0);

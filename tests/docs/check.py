@@ -28,7 +28,7 @@ DOCUMENTS = (
     "fcl_adapter/README.md",
     ".github/CONTRIBUTING.md",
 )
-FRONT_PAGE = 200  # lines, at the most
+FRONT_PAGE = 160  # lines, at the most
 NAMED = re.compile(r"(?<![\w/<>*.-])((?:[\w.]+/)*\w+\.(?:h|cpp|py|sh|cmake|md))(?![\w.-])")
 METHOD = re.compile(r"((?:^  ///[^\n]*\n)+)^  (?:const )?[\w:<>&]+ (\w+)\(", re.MULTILINE)
 THROWS_FIRST = re.compile(r"^(?! *///)[^\n]*\n *///<? (\\throws|See)|///< (\\throws|See)", re.MULTILINE)

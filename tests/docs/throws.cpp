@@ -3,13 +3,17 @@
 // of the same header, function and exception.
 #include "throws.h"
 
+#include <fstream>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "tricover/geojson.h"
 #include "tricover/occupancy_grid_io.h"
 #include "tricover/paper.h"
 #include "tricover/rasterize.h"
 #include "tricover/tricover.h"
+#include "tricover/wkt.h"
 
 namespace tricover {
 namespace {
@@ -277,6 +281,34 @@ TEST(Throws, Drawings) {
   THROWS(svg.h, SvgDrawing::save, std::logic_error, drawing.save("none/drawing.svg"));
   drawing.text(p, "some");
   THROWS(svg.h, SvgDrawing::save, std::runtime_error, drawing.save("none/drawing.svg"));
+}
+
+TEST(Throws, GeoJsonAndWkt) {
+  const std::string geojson = R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})";
+  const std::string wkt = "POLYGON ((0 0, 1 0, 1 1, 0 0))";
+  const std::string file = testing::TempDir() + "throws.geojson";
+  std::ofstream(file) << geojson;
+  const GeoOptions nowhere_near{bad_point};
+  THROWS(geojson.h, readGeoJson, std::invalid_argument, readGeoJson(file, nowhere_near));
+  THROWS(geojson.h, parseGeoJson, std::invalid_argument, parseGeoJson(geojson, nowhere_near));
+  THROWS(wkt.h, parseWkt, std::invalid_argument, parseWkt(wkt, nowhere_near));
+  for (const char* bad : {"none.geojson", "/", __FILE__})
+    THROWS(geojson.h, readGeoJson, std::runtime_error, readGeoJson(bad));
+  for (const char* bad : {"", "{}", R"({"type":"Point","coordinates":[0,0]})"})
+    THROWS(geojson.h, parseGeoJson, std::runtime_error, parseGeoJson(bad));
+  for (const char* bad : {"", "POLYGON EMPTY", "POINT (0 0)", "POLYGON ((0 0, 1 0, 0 0))"})
+    THROWS(wkt.h, parseWkt, std::runtime_error, parseWkt(bad));
+
+  const Polygon bow_tie({Ring{{0, 0}, {2, 2}, {2, 0}, {0, 1}}});
+  for (const Polygon& bad : {outside, bow_tie}) {
+    THROWS(geojson.h, toGeoJson, std::invalid_argument, toGeoJson(bad));
+    THROWS(wkt.h, toWkt, std::invalid_argument, toWkt(bad));
+  }
+  for (const GeoFeature& bad : {GeoFeature{bow_tie}, GeoFeature{square, "[]"}, GeoFeature{square, "", "7"}}) {
+    THROWS(geojson.h, toGeoJson, std::invalid_argument, toGeoJson(std::vector<GeoFeature>{bad}));
+    THROWS(geojson.h, writeGeoJson, std::invalid_argument, writeGeoJson(file, {bad}));
+  }
+  THROWS(geojson.h, writeGeoJson, std::runtime_error, writeGeoJson("none/some.geojson", {}));
 }
 
 TEST(Throws, Bodies) {

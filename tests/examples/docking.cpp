@@ -7,7 +7,7 @@
 
 using tricover::poseAt;
 
-int main() {
+int main(int argc, char** argv) {
   // The platform's top is at y = 0.5, and a stop is on it at x = 4.
   const tricover::Polygon platform({{{0, -0.5}, {6, -0.5}, {6, 1.5}, {4, 1.5}, {4, 0.5}, {0, 0.5}}});
   const tricover::Polygon robot = tricover::Polygon::box(1, 0.6);
@@ -34,4 +34,12 @@ int main() {
   for (const tricover::Conflict& contact : conflicts(platform, rest, robot, way))
     std::cout << "in contact from " << contact.impact.time << " s to " << contact.end << " s\n";
   std::cout << conflicts(platform, rest, robot, way, sliding).size() << " collisions\n";
+
+  tricover::Scene scene;
+  scene.add(platform, poseAt(0, 0));
+  const std::vector<tricover::BodyTrajectory> moving{{scene.add(robot, way.at(0)), way}};
+  tricover::SceneRecording recording("Docking");
+  recording.trajectories(scene, moving);
+  recording.conflicts(scene.conflicts(moving));
+  recording.save(argc > 1 ? argv[1] : "docking.html");  // for a browser
 }

@@ -182,6 +182,23 @@ TEST(GeoJson, RefusesToWriteWhatItCannotSay) {
             std::string::npos);
   const std::string deep = "{\"a\":" + std::string(100, '[') + std::string(100, ']') + "}";
   EXPECT_NE(support::refusal([&] { toGeoJson({{Polygon::box(1, 1), "", deep}}); }).find("too deep"), std::string::npos);
+  // The writer refuses what the reader would.
+  int written = 0;
+  for (std::size_t depth = 55; depth < 66; ++depth)
+    for (const std::string inner : {"", "1", "{}"}) {
+      const std::string brackets = std::string(depth, '[') + inner + std::string(depth, ']');
+      try {
+        const std::string text = toGeoJson({{Polygon::box(1, 1), "", "{\"a\":" + brackets + "}"}});
+        EXPECT_EQ(parseGeoJson(text).size(), 1u);
+        ++written;
+      } catch (const std::invalid_argument&) {
+      }
+    }
+  EXPECT_EQ(written, 6 + 6 + 5);  // 64 without the collection, its list, the feature and the properties
+  for (const std::string& bad : {std::string("7\0,", 3), std::string("\xef\xbb\xbf"
+                                                                     "7")})
+    EXPECT_NE(support::refusal([&] { toGeoJson({{Polygon::box(1, 1), bad}}); }).find("a byte 0"), std::string::npos);
+  EXPECT_NE(wrong(polygonText(kSquare) + std::string("\0x", 2)).find("a byte 0"), std::string::npos);
 }
 
 TEST(GeoJson, KeepsDoublesBitForBit) {

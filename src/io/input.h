@@ -12,13 +12,16 @@ namespace tricover::detail {
 [[noreturn]] void refuseFile(const std::string& file, const std::string& wrong, const std::string& instead = {});
 
 /// What a reader reads: a file, or bytes in memory.
-struct MapInput {
+struct Input {
   std::istream& in;     ///< in the classic locale, at its start
   std::uintmax_t size;  ///< in bytes
   std::string name;     ///< for errors
 };
 
 /// Opens a plain file. A device or a pipe has no size, and reading one might never end.
-MapInput openMapFile(std::ifstream& file, const std::string& path);
+Input openFile(std::ifstream& file, const std::string& path);
+
+/// All of a plain file.
+std::string readText(const std::string& path);
 
 }  // namespace tricover::detail

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plays a recording in headless Chromium: no error, bodies where Trajectory::at() puts them, keys, a picture, two themes.
+
+usage: tests/browser/page_test.py PROGRAM   (which writes a page to its first argument, and prints "time body x y heading" lines)
+Status 77 where Chromium is missing.
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HOOK = "<script>const bad=[];window.onerror=m=>{bad.push(String(m))};console.error=m=>bad.push(String(m));</script>"
+TEST = """<script>
+const wait = (is) => new Promise((done) => { let left = 400; const look = () => is() || !left-- ? done() : setTimeout(look, 10); look(); });
+const key = (name) => window.dispatchEvent(new KeyboardEvent("keydown", {key: name}));
+const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canvas.width, canvas.height).data, s = new Set();
+  for (let i = 0; i < p.length; i += 4) s.add(p[i] << 16 | p[i + 1] << 8 | p[i + 2]); return s.size; };
+(async () => {
+  await wait(() => drawn.length > 0);
+  const r = {worst: 0, count: 0};
+  for (const [t, b, x, y, h] of WANTED) {
+    seek(t); drawPicture();
+    const item = drawn.find((each) => each.body === bodies[b]), p = placeOf(item.body, item.pose), s = toScreen(p), w = toScreen({x, y});
+    r.worst = Math.max(r.worst, Math.hypot(s.x - w.x, s.y - w.y), Math.abs(Math.sin(p.heading * Math.PI / 180 - h)) * view.scale);
+    ++r.count;
+  }
+  key("Home"); r.home = state.time === begin; key("End"); r.end = state.time === end; key("Home");
+  key("ArrowRight"); r.step = state.time > begin; key("n"); r.mark = marks.some((m) => m.begin === state.time);
+  const scale = view.scale; key("+"); r.zoom = view.scale > scale; key("0"); r.fit = Math.abs(view.scale - fitScale()) < 1e-9 * scale;
+  r.colours = colourCount(); drawPicture(); const one = canvas.toDataURL(); key("d"); drawPicture(); r.themes = one !== canvas.toDataURL();
+  key("Home"); key(" "); await wait(() => state.time > begin); r.plays = state.time > begin && isPlaying; key(" "); r.pauses = !isPlaying;
+  r.tags = document.querySelectorAll("main b").length; r.bad = bad;
+  document.title = "RESULT " + JSON.stringify(r);
+})().catch((e) => { document.title = "RESULT " + JSON.stringify({bad: [String(e)]}); });
+</script>"""
+
+
+def main() -> int:
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if not chromium:
+        print("skipped: Chromium is not installed")
+        return 77
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        path = pathlib.Path(folder) / "page.html"
+        lines = subprocess.run([sys.argv[1], path], check=True, capture_output=True, text=True, timeout=60).stdout
+        wanted = [[float(x) for x in line.split()] for line in lines.splitlines()]
+        page = path.read_text().replace("<style>", HOOK + "<style>", 1)
+        path.write_text(page.replace("</body>\n</html>", TEST.replace("WANTED", json.dumps(wanted)) + "</body>\n</html>"))
+        dom = subprocess.run([chromium, "--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
+                              "--virtual-time-budget=20000", "--dump-dom", path.as_uri()],
+                             capture_output=True, text=True, timeout=120).stdout
+    found = re.search(r"<title>RESULT (.*?)</title>", dom)
+    result = json.loads(found[1]) if found else {"bad": ["the page's test did not end"]}
+    print(result)
+    held = ("home", "end", "step", "mark", "zoom", "fit", "themes", "plays", "pauses")
+    good = result["bad"] == [] and all(result.get(each) is True for each in held) and result["tags"] == 0
+    return 0 if good and result["count"] == len(wanted) > 0 and result["worst"] < 1 and result["colours"] > 20 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
