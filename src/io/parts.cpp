@@ -140,8 +140,8 @@ using OrderedPoint = std::array<double, 2>;
 
 /// The vertices of an edge from v, with those that were added, in order along it.
 void appendEdge(Ring& to, const Vec2& v, const Vec2& w, std::vector<OrderedPoint> added) {
-  const Vec2 way(w.x() < v.x() ? -1 : 1, w.y() < v.y() ? -1 : 1);
-  const int main = std::abs(w.x() / 2 - v.x() / 2) < std::abs(w.y() / 2 - v.y() / 2) ? 1 : 0;
+  const OrderedPoint way{w.x() < v.x() ? -1.0 : 1.0, w.y() < v.y() ? -1.0 : 1.0};
+  const std::size_t main = std::abs(w.x() / 2 - v.x() / 2) < std::abs(w.y() / 2 - v.y() / 2) ? 1 : 0;
   const auto place = [&](const OrderedPoint& p) {
     return OrderedPoint{way[main] * p[main], way[1 - main] * p[1 - main]};
   };

@@ -28,7 +28,8 @@ class GeoBytes {
   bool oneIn(int n) { return bytes.byte() % n == 0; }
 
   std::string number(double value) {
-    constexpr std::array kOdd{"-0", "0.50", "1E0", "-2.5e+00", "1e999", "18446744073709551617", "5e-324", "nan", "01"};
+    constexpr std::array kOdd{"-0",     "-0.0", "0.50", "1E0", "-2.5e+00", "1e999", "18446744073709551617",
+                              "5e-324", "nan",  "01"};
     if (oneIn(97)) return kOdd[bytes.byte() % kOdd.size()];
     std::array<char, 32> digits;
     return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
@@ -37,6 +38,17 @@ class GeoBytes {
   /// Up to three parts with up to two holes, each ring closed.
   std::vector<std::vector<Ring>> parts(bool has_many) {
     std::vector<std::vector<Ring>> parts(static_cast<std::size_t>(has_many ? bytes.integer(1, 3) : 1));
+    if (has_many && oneIn(8)) {
+      // Each in the hole of the one before.
+      double size = 16;
+      for (std::vector<Ring>& part : parts)
+        for (int i = 0; i < 2; ++i, --size) {
+          part.push_back(ring({-size, -size}, {size, size}));
+          part.back().push_back(part.back().front());
+        }
+      if (oneIn(2)) std::reverse(parts.begin(), parts.end());
+      return parts;
+    }
     for (std::vector<Ring>& part : parts) {
       const Vec2 low(bytes.integer(0, 12), bytes.integer(0, 12)), high = low + Vec2(size(), size());
       part.push_back(ring(low, high));
@@ -134,6 +146,12 @@ inline void checkWritten(const Polygon& polygon, const std::string& reproduction
       if (is_writable) fail("a valid polygon is refused", reproduction);
     }
   if (!is_writable) return;
+  // The file's directions don't matter.
+  std::vector<Ring> reversed = polygon.rings();
+  for (Ring& ring : reversed) std::reverse(ring.begin() + 1, ring.end());
+  if (toWkt(Polygon(reversed, polygon.fillRule())) != wkt)
+    fail("rings the other way are written as others", reproduction);
+
   const Polygon of_json = parseGeoJson(json).at(0).polygon, of_wkt = parseWkt(wkt).polygon;
   if (toGeoJson(of_json) != json || toGeoJson(of_wkt) != json || toWkt(of_json) != wkt)
     fail("what was written is read as another polygon", reproduction);

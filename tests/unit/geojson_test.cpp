@@ -90,7 +90,7 @@ TEST(GeoJson, KeepsIdsAndPropertiesAsTheyAre) {
   EXPECT_EQ(features[1].properties, "");
   const std::vector<GeoFeature> again = parseGeoJson(toGeoJson(features));
   ASSERT_EQ(again.size(), 2u);
-  for (const int i : {0, 1}) {
+  for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(again[i].id, features[i].id);
     EXPECT_EQ(again[i].properties, features[i].properties);
     EXPECT_EQ(again[i].polygon.rings(), features[i].polygon.rings());
