@@ -48,7 +48,7 @@ struct GeoFeature {
 /// Doubles are read exactly, whatever the locale is. The text is UTF-8; a byte order mark is skipped. Memory is bounded
 /// by a small multiple of the file's size, and arrays and objects nest at most 64 deep.
 ///
-/// \param path The file's path. Folders, devices and pipes are refused.
+/// Folders, devices and pipes are refused.
 /// \return The features in the file's order.
 /// \throws std::runtime_error for a file that can't be read, isn't GeoJSON, or has a geometry that is none of these.
 /// The text has the file, the line or the feature with its id, the ring and the vertex.

@@ -36,10 +36,11 @@ struct OccupancyMap {
 /// PGM images are of at most 65,535 x 65,535 pixels, as text (P2) or of one byte a pixel (P5). A P5 header may end in
 /// CR LF if the file's size proves it. PNG images are as large at most, of any kind. The grey of a colour is the mean
 /// of red, green and blue, unless the YAML file's mode is raw, where the colours' mean is rounded. A pixel that is not
-/// opaque is -1 in the modes trinary and scale. (nav2 does so since 2025. Before, nav2 and map_server took alpha for a
-/// fourth colour in mode trinary, which made opaque unknown cells free.) An image's first row is the map's last.
+/// opaque is -1 in the modes trinary and scale. (Some versions of nav2 and map_server take
+/// alpha for a fourth colour in mode trinary, which makes opaque unknown cells free.) An image's first row is the map's
+/// last.
 ///
-/// \param yaml the YAML file's path. Folders, devices and pipes are refused.
+/// Folders, devices and pipes are refused.
 /// \throws std::runtime_error for a file that can't be read or is no such map. The text has the file, the field, its
 /// value and the limit. No memory is taken for pixels that the file doesn't hold.
 ///
@@ -54,7 +55,7 @@ TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);
 /// -pi to pi, as poseAt() turns it into a pose, comes back bit for bit, too. Of any other rotation the entries come
 /// back within 1e-12.
 ///
-/// \param image the image's path as the YAML file is to name it: from the YAML file's folder, or an absolute one. It
+/// `image` is its path as the YAML file is to name it: from the YAML file's folder, or an absolute one. It
 /// ends in `.pgm` or `.png`, in any case. If it is empty, the image is beside the YAML file and has its name, with
 /// `.pgm` in mode trinary and `.png` in mode scale. PGM keeps no unknown cells in mode scale.
 /// \throws std::invalid_argument for a grid without cells, of more than 65,535 x 65,535, or with a value missing or

@@ -47,7 +47,7 @@ struct SelfCrossing {
 ///
 /// Takes O((n + k) log n) for most polygons, with k pairs of edges that meet.
 ///
-/// \param most The search ends after that many, which are then any, not the first ones.
+/// The search ends after `most`, which are then any, not the first ones.
 ///
 /// \snippet validity.cpp self crossings
 TRICOVER_EXPORT std::vector<SelfCrossing> selfCrossings(const Polygon& polygon,
