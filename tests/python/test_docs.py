@@ -40,7 +40,7 @@ class Docstrings(unittest.TestCase):
     def test_fields_have_texts(self):
         for name in tc.__all__:
             for field in getattr(getattr(tc, name), "_fields", ()):
-                self.assertRegex(getattr(getattr(tc, name), field).__doc__, r"[\w)]\.$", f"{name}.{field}")
+                self.assertRegex(getattr(getattr(tc, name), field).__doc__, r"[\w)`]\.$", f"{name}.{field}")
 
     def test_examples_run(self):
         parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(verbose=False, optionflags=doctest.ELLIPSIS)

@@ -30,7 +30,7 @@ class Recordings(unittest.TestCase):
         recording.ray((-9, 0), (9, 0), self.scene.cast_ray((-9, 0), (9, 0)), when=(0, 18))
         recording.text((0, 3), "here it is", when=(0, 18))
         page = str(recording)
-        for text in ("Fleet &amp; dock", "here it is", "fleet"):
+        for text in ("Fleet & dock", "here it is", "fleet"):
             self.assertIn(text, page)
         self.assertTrue(recording._repr_html_().startswith("<iframe"))
         self.assertNotIn("<script", recording._repr_html_())

@@ -256,7 +256,7 @@ class Pairs(unittest.TestCase):
 
     def test_least_distances(self):
         still, passes = tc.Motion.still(ORIGIN), tc.Motion.translation((-5, 3, 0), (10, 0))
-        least = tc.least_distance(SQUARE, still, SQUARE, passes, margin=0.5, error=1e-9)
+        least = tc.least_distance(SQUARE, still, SQUARE, passes, margin=0.5, absolute_error=1e-9)
         self.assertAlmostEqual(least.distance, 1.5, 8)
         self.assertLessEqual(least.lower_bound, least.distance)
         self.assertTrue(0.39 < least.time < 0.61)

@@ -71,7 +71,7 @@ class SelfCrossingKind(IntEnum):
     NO_AREA: All vertices of a ring are on one line, or equal.
     HOLE_OUTSIDE: A ring runs the way that holes run, but the region is inside of it.
 
-    >>> tc.self_crossings(tc.Polygon([(0, 0), (1, 0), (2, 0)]))[0].kind == tc.SelfCrossingKind.OVERLAP
+    >>> tc.self_crossings(tc.Polygon([(0, 0), (1, 0), (2, 0)]))[0].kind == tc.SelfCrossingKind.NO_AREA
     True
     """
     CROSSING = 0

@@ -4,9 +4,12 @@ import json
 import os
 from typing import Any, Dict, List, NamedTuple, Sequence, Tuple, Union
 
-from . import _tricover
+from . import _tricover as _module
 from ._results import _documented
 from ._tricover import Polygon
+
+# Its private functions are not in the stub.
+_tricover: Any = _module
 
 __all__ = ["GeoFeature", "parse_geo_json", "parse_wkt", "read_geo_json", "to_geo_json", "write_geo_json"]
 

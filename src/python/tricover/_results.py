@@ -295,7 +295,7 @@ class Conflict(NamedTuple):
     impact: Its begin, an Impact.
     end: When they are apart again, or when time ends.
     budget_ended: Whether a search ended early within this interval.
-    meets_at_end: Whether they still meet at `end`.
+    meets_at_end: Whether they still meet at the end.
 
     >>> square = tc.Polygon.box(2, 2)
     >>> drive = tc.Motion.translation((-6, 0, 0), (16, 0))
