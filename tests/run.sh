@@ -41,7 +41,8 @@ if command -v clang++ >/dev/null; then
   targets="tricover tricover_io tricover_fcl" filter="-R consumer"
   if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
     clang++ -fsanitize=fuzzer -x c++ -o /dev/null - 2>/dev/null; then
-    targets+=" fuzz_collide_libfuzzer fuzz_geojson_libfuzzer fuzz_locate_libfuzzer fuzz_scales_libfuzzer fuzz_scene_libfuzzer"
+    targets+=" fuzz_collide_libfuzzer fuzz_geojson_libfuzzer fuzz_locate_libfuzzer fuzz_map_libfuzzer"
+    targets+=" fuzz_scales_libfuzzer fuzz_scene_libfuzzer"
     targets+=" fuzz_validation_libfuzzer fuzz_wkt_libfuzzer" filter+="|libfuzzer"
   fi
   time suite "clang: shared libraries, libFuzzer" clang "$targets" "$filter" -DCMAKE_CXX_COMPILER=clang++ \

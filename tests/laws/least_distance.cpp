@@ -138,7 +138,8 @@ MovingCase onGrid(Random& random) {
 }
 
 std::string told(const LeastDistance& found, const LeastDistanceOptions& options) {
-  return ", found " + hex(found.distance) + ", error " + hex(options.absolute_error) + ", margin " + hex(options.margin) + "\n";
+  return ", found " + hex(found.distance) + ", error " + hex(options.absolute_error) + ", margin " +
+         hex(options.margin) + "\n";
 }
 
 void count(Tally& tally, const LeastDistance& found) {
@@ -162,7 +163,8 @@ std::string wrongShifts(Random& random, Tally& tally) {
   const bool is_at_end = truth > 0 && (found.time == 0 || found.time == 1);
   tally.count("nearest at an end", is_at_end);
   tally.count("nearest between", truth > 0 && !is_at_end);
-  if (!(found.distance >= truth - rounding && found.distance <= std::max(truth, 0.0) + options.absolute_error + rounding))
+  if (!(found.distance >= truth - rounding &&
+        found.distance <= std::max(truth, 0.0) + options.absolute_error + rounding))
     return "not the exact one, " + hex(truth) + told(found, options) + reproduction(m);
   return wrongOfMotions(m, options, found, 20);
 }
