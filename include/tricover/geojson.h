@@ -30,7 +30,7 @@ struct GeoFeature {
   std::string id = {};          ///< The feature's id as JSON: `17`, or `"dock"` with its quotes. Empty: none.
   std::string properties = {};  ///< The feature's properties as JSON: `{"speed":2.5}`. Empty: none.
   /// How many points were added to parts that overlap: where their edges cross at no vertex, both edges get the
-  /// crossing as a vertex, rounded. So complement() takes the polygon. All vertices of the file stay as they are.
+  /// crossing as a vertex, rounded, so that complement() takes the polygon. All vertices of the file stay as they are.
   std::size_t rounded_crossings = 0;
   /// How many coordinates changed by rounding when the origin was subtracted. 0: all differences are exact.
   std::size_t rounded_coordinates = 0;

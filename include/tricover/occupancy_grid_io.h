@@ -52,7 +52,7 @@ TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);
 ///
 /// The mode is trinary if all cells are -1, 0 and 100, with map_saver's greys and thresholds, and otherwise scale, with
 /// thresholds of 0 and 1. Reading gives the same cells, and the same resolution and translation bit for bit. A yaw from
-/// -pi to pi, as poseAt() turns it into a pose, comes back bit for bit, too. Of any other rotation the entries come
+/// -pi to pi, as poseAt() turns it into a pose, comes back bit for bit, too. The entries of any other rotation come
 /// back within 1e-12.
 ///
 /// `image` is its path as the YAML file is to name it: from the YAML file's folder, or an absolute one. It

@@ -33,7 +33,7 @@ struct TimeInterval {
 /// the earlier one. A body with a trajectory follows it in all frames. The page draws bodies within a pixel of where
 /// they are, up to 1024 times larger than all of them fit into 2000 pixels.
 ///
-/// What is drawn beside the bodies is shown for a time interval; without one, as long as the last frame is. Numbers are
+/// Drawings beside the bodies are shown for a time interval; without one, as long as the last frame is. Numbers are
 /// written the same in every locale, and equal recordings make equal files. A file takes about 16 bytes for each frame
 /// and body that moves, 30 to 80 for each leg of a trajectory, 11 for each vertex of a shape, and 60 kB for the page.
 ///

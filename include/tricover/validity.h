@@ -24,7 +24,7 @@ enum class SelfCrossingKind {
 
 /// A place where rings cross or repeat.
 struct SelfCrossing {
-  SelfCrossingKind kind;  ///< What is there.
+  SelfCrossingKind kind;  ///< The kind of it.
   Vec2 point;             ///< Where, in the polygon's frame. Rounded for Crossing, otherwise a vertex, exactly.
   std::size_t ring_a;     ///< A ring, by its number in Polygon::rings().
   std::size_t ring_b;     ///< The other ring, or the same one. For HoleOutside: the first shell.
