@@ -65,12 +65,11 @@ class SceneWalk {
     }
     if (random_.oneIn(3)) return;  // nobody asks
     collisions();
-    switch (random_.integer(0, 4)) {
+    switch (random_.integer(0, 3)) {
       case 0:
         return collides();
       case 1:
-        return nearest();
-      case 3:
+        nearest();
         return leastDistance();
       case 2:
         for (int i = 0; i < 4; ++i) ray();
