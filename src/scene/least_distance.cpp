@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The tree proposes bodies by the distances of their boxes from those around the polygon on its way. A body that isn't
-/// as near as another one at any time has no impact within that distance. `path` is a Motion or a Trajectory.
+/// The tree proposes bodies by the distances of their boxes from those around the polygon on its way. `path`
+/// is a Motion or a Trajectory.
 template <typename Path>
 std::optional<BodyLeastDistance> leastOn(const Path& path, const Polygon& polygon, const LeastDistanceOptions& options,
                                          const SceneState& state, const BodyFilter& filter) {
@@ -33,10 +33,6 @@ std::optional<BodyLeastDistance> leastOn(const Path& path, const Polygon& polygo
     const auto& body = state.bodies[slot];
     LeastDistanceOptions sum = options;
     sum.margin = detail::marginOfBox(detail::marginSum(options.margin, body.options.margin));
-    if (best) {
-      const ImpactOptions nearer{detail::marginSum(best->least.distance, sum.margin), 0};
-      if (!timeOfImpact(polygon, path, body.polygon, detail::stillBeside(path, body.pose), nearer)) return;
-    }
     const LeastDistance least =
         tricover::leastDistance(polygon, path, body.polygon, detail::stillBeside(path, body.pose), sum);
     if (least.budget_ended) proven = std::min(proven, least.lower_bound);

@@ -59,8 +59,10 @@ class SceneWalk {
       const Scene::Body body = bodies_[index(bodies_.size())];
       scene_.setOptions(body, anyOptions(scene_.polygon(body)));
     }
-    if (random_.oneIn(4)) {
+    if (more_.oneIn(4)) {
+      std::swap(random_, more_);
       const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
+      std::swap(random_, more_);
       if (p != q) scene_.setIgnored(p, q, !scene_.isIgnored(q, p));
     }
     if (random_.oneIn(3)) return;  // nobody asks
@@ -70,7 +72,9 @@ class SceneWalk {
         return collides();
       case 1:
         nearest();
-        return leastDistance();
+        std::swap(random_, more_);
+        leastDistance();
+        return std::swap(random_, more_);
       case 2:
         for (int i = 0; i < 4; ++i) ray();
         return;
@@ -395,7 +399,7 @@ class SceneWalk {
     const Pose start = near(part.polygon, part.pose);
     if (random_.coin()) {
       firstImpact(part.polygon, anyMotion(part.polygon, start), options);
-      if (random_.coin()) return;
+      if (!random_.coin()) return;
       const auto moving = someMoving<BodyMotion>(&SceneWalk::anyMotion);
       allImpacts(moving, options);
       allConflicts(moving, options);
@@ -486,7 +490,7 @@ class SceneWalk {
     expect(found == expected, "conflicts");
   }
 
-  Random random_;
+  Random random_, more_{1};  ///< the second for questions that leave the first one's draws as they were
   std::size_t most_;
   std::vector<Part> parts_;
   Scene scene_;
