@@ -9,6 +9,7 @@
 #include "numbers/march.h"
 #include "tricover/conflicts.h"
 #include "tricover/depth.h"
+#include "tricover/least_distance.h"
 #include "tricover/trajectory.h"
 
 namespace tricover::detail {
@@ -75,5 +76,8 @@ std::optional<Impact> timeOfImpact(const Polygon& a, const Trajectory& trajector
                                    const Trajectory& trajectory_b, const ImpactOptions& options);
 std::vector<Conflict> conflicts(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                                 const Trajectory& trajectory_b, const ImpactOptions& options);
+
+/// Throws as leastDistance() does.
+void checkOptions(const LeastDistanceOptions& options);
 
 }  // namespace tricover::detail

@@ -17,12 +17,6 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-void checkOptions(const LeastDistanceOptions& options) {
-  detail::requireFiniteNotNegative(options.margin, "margin");
-  if (!(options.absolute_error > 0 && std::isfinite(options.absolute_error)))
-    detail::refuse("absolute_error", "it must be finite and positive");
-}
-
 /// The least distance of two bodies on their ways. `Path` is a Motion or a Trajectory.
 template <typename Path>
 class LeastOnWay {
@@ -112,16 +106,22 @@ class LeastOnWay {
 
 }  // namespace
 
+void detail::checkOptions(const LeastDistanceOptions& options) {
+  requireFiniteNotNegative(options.margin, "margin");
+  if (!(options.absolute_error > 0 && std::isfinite(options.absolute_error)))
+    refuse("absolute_error", "it must be finite and positive");
+}
+
 LeastDistance leastDistance(const Polygon& a, const Motion& motion_a, const Polygon& b, const Motion& motion_b,
                             const LeastDistanceOptions& options) {
-  checkOptions(options);
+  detail::checkOptions(options);
   detail::checkMotions(motion_a, motion_b);
   return LeastOnWay<Motion>(a, motion_a, b, motion_b, 0, 1, options).find();
 }
 
 LeastDistance leastDistance(const Polygon& a, const Trajectory& trajectory_a, const Polygon& b,
                             const Trajectory& trajectory_b, const LeastDistanceOptions& options) {
-  checkOptions(options);
+  detail::checkOptions(options);
   const detail::TimeTogether together = detail::timeTogether(trajectory_a, trajectory_b);
   if (!(together.begin <= together.end)) detail::refuse("trajectories", "the bodies are never there together");
   return LeastOnWay<Trajectory>(a, trajectory_a, b, trajectory_b, together.begin, together.end, options).find();

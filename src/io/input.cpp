@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/input.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <locale>
 #include <stdexcept>
@@ -22,6 +24,11 @@ Input openFile(std::ifstream& file, const std::string& path) {
   if (!file) refuseFile(path, "can't be opened", "check its permissions");
   file.imbue(std::locale::classic());
   return {file, size, path};
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 std::string readText(const std::string& path) {

@@ -21,6 +21,9 @@ struct Input {
 /// Opens a plain file. A device or a pipe has no size, and reading one might never end.
 Input openFile(std::ifstream& file, const std::string& path);
 
+/// A to Z as a to z.
+std::string lowered(std::string text);
+
 /// All of a plain file.
 std::string readText(const std::string& path);
 

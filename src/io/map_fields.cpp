@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -15,11 +13,10 @@
 #include <stdexcept>
 
 #include "numbers/errors.h"
+#include "numbers/shortest.h"
 
 namespace tricover::detail {
 namespace {
-
-constexpr std::int8_t kFree = 0, kOccupied = 100, kUnknown = -1;
 
 /// The fields of a map's YAML file.
 class Fields {
@@ -105,8 +102,7 @@ MapMode modeOf(const Fields& fields) {
   MapMode mode = MapMode::Trinary;
   if (fields.has("mode")) {
     const std::string text = fields.text("mode");
-    std::string lower = text;
-    std::transform(text.begin(), text.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string lower = lowered(text);
     if (lower == "scale")
       mode = MapMode::Scale;
     else if (lower == "raw")
@@ -125,8 +121,7 @@ MapMode modeOf(const Fields& fields) {
 
 /// The shortest text that reads as this double, with a point, without which some readers of YAML see a text.
 std::string textOf(double number) {
-  char text[32];  // 24 at most
-  std::string result(text, std::to_chars(text, text + sizeof text, number).ptr);
+  std::string result = shortest(number);
   if (result.find('.') == std::string::npos) result.insert(std::min(result.find('e'), result.size()), ".0");
   return result;
 }
@@ -164,13 +159,13 @@ std::vector<std::int8_t> valuesOfGreys(const MapFields& fields, std::size_t whit
     const double grey = static_cast<double>(i) / static_cast<double>(white), p = fields.negate ? grey : 1 - grey;
     if (fields.mode == MapMode::Raw) {
       const double value = std::round(255 * grey);
-      values.push_back(value <= kOccupied ? static_cast<std::int8_t>(value) : kUnknown);
+      values.push_back(value <= kOccupiedCell ? static_cast<std::int8_t>(value) : kUnknownCell);
     } else if (p >= fields.occupied_thresh) {
-      values.push_back(kOccupied);
+      values.push_back(kOccupiedCell);
     } else if (p <= fields.free_thresh) {
-      values.push_back(kFree);
+      values.push_back(kFreeCell);
     } else if (fields.mode == MapMode::Trinary) {
-      values.push_back(kUnknown);
+      values.push_back(kUnknownCell);
     } else {
       const double share = (p - fields.free_thresh) / (fields.occupied_thresh - fields.free_thresh);
       values.push_back(static_cast<std::int8_t>(std::round(100 * share)));

@@ -11,6 +11,9 @@
 
 namespace tricover::detail {
 
+/// What cells are, beside degrees from 1 to 99.
+constexpr std::int8_t kFreeCell = 0, kOccupiedCell = 100, kUnknownCell = -1;
+
 enum class MapMode { Trinary, Scale, Raw };
 
 /// What a map's YAML file says.

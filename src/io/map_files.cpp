@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -8,6 +7,7 @@
 
 #include "io/map_image.h"
 #include "numbers/errors.h"
+#include "polygon/grid_corners.h"
 
 namespace tricover::detail {
 namespace {
@@ -40,12 +40,11 @@ double yawOf(const Pose& pose) {
 }
 
 void checkGrid(const OccupancyGrid& grid) {
-  const std::string size = std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells";
   if (grid.width < 1 || grid.height < 1 || grid.width > kMostPixels || grid.height > kMostPixels)
-    refuse("grid", "it has " + size + ", not 1 x 1 to 65535 x 65535");
-  if (grid.cells.size() != grid.width * grid.height)
-    refuse("cells", std::to_string(grid.cells.size()) + " values for " + size);
-  if (!(grid.resolution > 0 && std::isfinite(grid.resolution))) refuse("resolution", "it must be positive and finite");
+    refuse("grid", "it has " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
+                       " cells, not 1 x 1 to 65535 x 65535");
+  checkCells(grid);
+  if (!std::isfinite(grid.resolution)) refuse("resolution", "it must be positive and finite");
   if (grid.origin != Vec2(0, 0))
     refuse("origin", "the grid's own is not (0, 0), and the file has no field for it", "move the map's pose instead");
 }
@@ -75,7 +74,7 @@ OccupancyMap readMap(const MapFields& fields, const Input& image) {
 }
 
 MapMode modeOf(const OccupancyGrid& grid) {
-  const auto isGraded = [](std::int8_t value) { return value > 0 && value < 100; };
+  const auto isGraded = [](std::int8_t value) { return value > kFreeCell && value < kOccupiedCell; };
   return firstCell(grid, isGraded) < grid.cells.size() ? MapMode::Scale : MapMode::Trinary;
 }
 
@@ -85,8 +84,7 @@ MapFiles writeMap(const OccupancyMap& map, const std::string& image) {
   checkPose(map.pose);
   if (map.pose.linear().determinant() < 0)
     refuse("pose", "it mirrors, which no yaw does", "reverse the rows of cells and the pose's second column");
-  std::string ending = std::filesystem::path(image).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lowered(std::filesystem::path(image).extension().string());
   const bool is_png = ending == ".png";
   if (!is_png && ending != ".pgm") refuse("image", "'" + image + "' ends in neither .pgm nor .png");
 

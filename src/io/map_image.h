@@ -13,7 +13,6 @@
 namespace tricover::detail {
 
 constexpr std::size_t kMostPixels = 65535;  ///< along each side of an image
-constexpr std::int8_t kUnknownCell = -1;
 
 /// The map of these fields and their image, PGM or PNG.
 /// \throws std::runtime_error for what is no such image
@@ -41,7 +40,7 @@ struct CellGreys {
   /// From 0 to 255. -1, 0 and 100 as map_saver writes them in mode trinary.
   std::uint8_t of(std::int8_t value) const {
     if (mode == MapMode::Scale) return static_cast<std::uint8_t>((255 * (100 - value) + 50) / 100);
-    return value == kUnknownCell ? 205 : value == 0 ? 254 : 0;
+    return value == kUnknownCell ? 205 : value == kFreeCell ? 254 : 0;
   }
 };
 

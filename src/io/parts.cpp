@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -14,6 +13,7 @@
 
 #include "numbers/dyadic.h"
 #include "numbers/errors.h"
+#include "numbers/shortest.h"
 #include "tricover/covers.h"
 #include "tricover/scene.h"
 #include "tricover/validity.h"
@@ -280,8 +280,7 @@ std::vector<Part> partsOf(const Polygon& polygon, const std::string& name, const
 }
 
 void appendNumber(std::string& text, double number) {
-  std::array<char, 32> digits;
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  text += shortest(number);
   if (number == 0 && std::signbit(number)) text += ".0";  // an integer has no -0
 }
 

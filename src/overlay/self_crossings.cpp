@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the rings of a polygon cross, run along each other, repeat, or have no area.
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "numbers/predicates.h"
+#include "numbers/shortest.h"
 #include "overlay/edge_sides.h"
 #include "pair/edge_pairs.h"
 #include "polygon/edge_walk.h"
@@ -238,16 +237,12 @@ class Search {
   }
 
   std::string textOf(const SelfCrossing& c) const {
-    const auto number = [](double x) {
-      std::array<char, 32> text;
-      return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr);
-    };
     const auto ring = [](std::size_t r) { return "ring " + std::to_string(r); };
     const auto edge = [&](std::size_t r, EdgeIndex of) {
       return "the edge from vertex " + std::to_string(of - polygon_.firstNumber(r)) +
              (c.ring_a == c.ring_b ? "" : " of " + ring(r));
     };
-    const std::string at = " at (" + number(c.point.x()) + ", " + number(c.point.y()) + ")";
+    const std::string at = " at (" + shortest(c.point.x()) + ", " + shortest(c.point.y()) + ")";
     const std::string other = c.ring_a == c.ring_b ? "itself" : ring(c.ring_b);
     const std::string edges = ": " + edge(c.ring_a, c.edge_a) + " and " + edge(c.ring_b, c.edge_b);
     switch (c.kind) {

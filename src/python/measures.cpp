@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far, and how deep.
-#include "python/module.h"
+#include "python/of_poses.h"
 
 namespace tricover_python {
 namespace {
@@ -10,9 +10,8 @@ void defineDistances(py::module_& m) {
       "distance",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          double relative_error, double absolute_error, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kCheap, [&](std::size_t i) {
-          return tricover::distance(a, at_a[i], b, at_b[i], {margin, relative_error, absolute_error});
+        return ofPoses(pose_a, pose_b, threads, kCheap, [&](const auto& at_a, const auto& at_b) {
+          return tricover::distance(a, at_a, b, at_b, {margin, relative_error, absolute_error});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
@@ -21,9 +20,8 @@ void defineDistances(py::module_& m) {
       "distance_within",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double limit,
          double margin, double relative_error, double absolute_error, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kCheap, [&](std::size_t i) {
-          return tricover::distanceWithin(a, at_a[i], b, at_b[i], limit, {margin, relative_error, absolute_error});
+        return ofPoses(pose_a, pose_b, threads, kCheap, [&](const auto& at_a, const auto& at_b) {
+          return tricover::distanceWithin(a, at_a, b, at_b, limit, {margin, relative_error, absolute_error});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"), py::arg("margin") = 0.0,
@@ -32,9 +30,8 @@ void defineDistances(py::module_& m) {
       "signed_distance",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          double relative_error, double absolute_error, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kDear, [&](std::size_t i) {
-          return tricover::signedDistance(a, at_a[i], b, at_b[i], {margin, relative_error, absolute_error});
+        return ofPoses(pose_a, pose_b, threads, kDear, [&](const auto& at_a, const auto& at_b) {
+          return tricover::signedDistance(a, at_a, b, at_b, {margin, relative_error, absolute_error});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
@@ -48,11 +45,8 @@ void definePlain(py::module_& m, const char* name, const char* a_name, const cha
   m.def(
       name,
       [=](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, pose_a_name), at_b = posesFrom(pose_b, pose_b_name);
-        return Count()
-            .of(at_a, pose_a_name.c_str())
-            .of(at_b, pose_b_name.c_str())
-            .answers(threads, kDear, [&](std::size_t i) { return query(a, at_a[i], b, at_b[i]); });
+        const auto at = [&](const tricover::Pose& at_a, const tricover::Pose& at_b) { return query(a, at_a, b, at_b); };
+        return ofPoses(pose_a, pose_b, threads, kDear, at, pose_a_name, pose_b_name);
       },
       py::arg(a_name), py::arg(pose_a_name.c_str()), py::arg(b_name), py::arg(pose_b_name.c_str()),
       py::arg("threads") = 0, doc(name));
@@ -67,9 +61,8 @@ void defineMeasures(py::module_& m) {
       "penetration",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          tricover::Touching touching, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kDear, [&](std::size_t i) {
-          return tricover::penetration(a, at_a[i], b, at_b[i], {margin, touching});
+        return ofPoses(pose_a, pose_b, threads, kDear, [&](const auto& at_a, const auto& at_b) {
+          return tricover::penetration(a, at_a, b, at_b, {margin, touching});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,

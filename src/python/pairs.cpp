@@ -2,7 +2,7 @@
 // Yes or no, contacts, and rays.
 #include <pybind11/stl.h>
 
-#include "python/module.h"
+#include "python/of_poses.h"
 
 namespace tricover_python {
 namespace {
@@ -14,9 +14,8 @@ void defineBooleans(py::module_& m) {
       "collide",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          double tolerance, Touching touching, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kCheap, [&](std::size_t i) {
-          return tricover::collide(a, at_a[i], b, at_b[i], {margin, tolerance, touching});
+        return ofPoses(pose_a, pose_b, threads, kCheap, [&](const auto& at_a, const auto& at_b) {
+          return tricover::collide(a, at_a, b, at_b, {margin, tolerance, touching});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
@@ -25,10 +24,10 @@ void defineBooleans(py::module_& m) {
       "covers",
       [](const Shape& area, const py::object& pose_area, const Shape& part, const py::object& pose_part, double margin,
          std::size_t threads) {
-        const Poses at_area = posesFrom(pose_area, "pose_area"), at_part = posesFrom(pose_part, "pose_part");
-        return Count().of(at_area, "pose_area").of(at_part, "pose_part").answers(threads, kDear, [&](std::size_t i) {
-          return tricover::covers(area, at_area[i], part, at_part[i], {margin});
-        });
+        const auto at = [&](const tricover::Pose& at_area, const tricover::Pose& at_part) {
+          return tricover::covers(area, at_area, part, at_part, {margin});
+        };
+        return ofPoses(pose_area, pose_part, threads, kDear, at, "pose_area", "pose_part");
       },
       py::arg("area"), py::arg("pose_area"), py::arg("part"), py::arg("pose_part"), py::arg("margin") = 0.0,
       py::arg("threads") = 0, doc("covers"));
@@ -61,14 +60,13 @@ void defineContacts(py::module_& m) {
       "contacts",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          std::optional<std::size_t> most, tricover::ContactDetail detail, Touching touching, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
         tricover::ContactOptions options;
         options.margin = margin;
         options.most = most.value_or(options.most);
         options.detail = detail;
         options.touching = touching;
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kDear, [&](std::size_t i) {
-          return tricover::contacts(a, at_a[i], b, at_b[i], options);
+        return ofPoses(pose_a, pose_b, threads, kDear, [&](const auto& at_a, const auto& at_b) {
+          return tricover::contacts(a, at_a, b, at_b, options);
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
@@ -78,9 +76,8 @@ void defineContacts(py::module_& m) {
       "crossings",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          Touching touching, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kDear, [&](std::size_t i) {
-          return tricover::crossings(a, at_a[i], b, at_b[i], {margin, touching});
+        return ofPoses(pose_a, pose_b, threads, kDear, [&](const auto& at_a, const auto& at_b) {
+          return tricover::crossings(a, at_a, b, at_b, {margin, touching});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tricover.paper: the covering, the influence areas and Algorithm 3.
-#include "python/module.h"
+#include "python/of_poses.h"
 
 namespace tricover_python {
 namespace {
@@ -43,9 +43,8 @@ void definePaper(py::module_& m) {
       "collide",
       [](const Shape& a, const py::object& pose_a, const Shape& b, const py::object& pose_b, double margin,
          double tolerance, tricover::Touching touching, std::size_t threads) {
-        const Poses at_a = posesFrom(pose_a, "pose_a"), at_b = posesFrom(pose_b, "pose_b");
-        return Count().of(at_a, "pose_a").of(at_b, "pose_b").answers(threads, kDear, [&](std::size_t i) {
-          return paper::collide(a, at_a[i], b, at_b[i], {margin, tolerance, touching});
+        return ofPoses(pose_a, pose_b, threads, kDear, [&](const auto& at_a, const auto& at_b) {
+          return paper::collide(a, at_a, b, at_b, {margin, tolerance, touching});
         });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,

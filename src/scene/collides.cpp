@@ -69,10 +69,9 @@ bool Scene::collides(const Polygon& polygon, const Pose& pose, const CollideOpti
 
 std::vector<bool> Scene::collides(const Polygon& polygon, const std::vector<Pose>& poses, const CollideOptions& options,
                                   const BodyFilter& filter, const Parallel& parallel) const {
-  for (std::size_t i = 0; i < poses.size(); ++i) detail::requireRigid(poses[i], "poses", i);
-  std::vector<char> answers(poses.size());  // threads can't share a vector of bits
-  detail::inParallelTasks(parallel, poses.size(),
-                          [&](std::size_t i) { answers[i] = collides(polygon, poses[i], options, filter); });
+  // Threads can't share a vector of bits.
+  const auto answers = detail::answersAt<char>(
+      poses, parallel, [&](const Pose& pose) { return collides(polygon, pose, options, filter); });
   return {answers.begin(), answers.end()};
 }
 

@@ -12,7 +12,7 @@ std::vector<PairContact> Scene::contacts(ContactDetail detail, const Parallel& p
   std::vector<std::vector<Contact>> answers(pairs.size());
   detail::inParallel(parallel, pairs.size(), [&](std::size_t i) {
     const auto &p = impl_->bodies[indexOf(pairs[i].first)], &q = impl_->bodies[indexOf(pairs[i].second)];
-    const CollideOptions both = detail::withBody({p.options.margin, 0, p.options.touching}, q.options);
+    const CollideOptions both = detail::optionsOf(p.options, q.options);
     ContactOptions options;
     options.margin = detail::marginOfBox(both.margin);
     options.detail = detail;

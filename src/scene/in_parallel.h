@@ -45,4 +45,13 @@ inline void requireRigid(const Pose& pose, const char* name, std::size_t index) 
   if (!isPlainlyRigid(pose)) checkPose(pose, (name + ("[" + std::to_string(index)) + "]").c_str());
 }
 
+/// Returns query(pose) of each pose, in their order.
+template <typename Answer, typename Query>
+std::vector<Answer> answersAt(const std::vector<Pose>& poses, const Parallel& parallel, const Query& query) {
+  for (std::size_t i = 0; i < poses.size(); ++i) requireRigid(poses[i], "poses", i);
+  std::vector<Answer> answers(poses.size());
+  inParallelTasks(parallel, poses.size(), [&](std::size_t i) { answers[i] = query(poses[i]); });
+  return answers;
+}
+
 }  // namespace tricover::detail

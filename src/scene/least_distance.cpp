@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "depth/conflicts.h"
 #include "numbers/errors.h"
 #include "scene/scene_state.h"
 #include "scene/sweep.h"
@@ -24,7 +25,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 template <typename Path>
 std::optional<BodyLeastDistance> leastOn(const Path& path, const Polygon& polygon, const LeastDistanceOptions& options,
                                          const SceneState& state, const BodyFilter& filter) {
-  detail::requireFiniteNotNegative(options.margin, "margin");
+  detail::checkOptions(options);
   const detail::SlotFilter slots = state.slots(filter);
   std::optional<BodyLeastDistance> best;
   double proven = kInfinity;  // no body comes nearer whose search ended at its budget

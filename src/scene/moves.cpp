@@ -102,13 +102,13 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
 void SceneState::setIgnored(Slot first, Slot second, bool ignored) {
   if (ignores(first, second) == ignored) return;
   std::vector<Slot>&of_first = bodies[first].ignored, &of_second = bodies[second].ignored;
+  // What may throw comes first.
+  for (std::vector<Slot>* list : {&of_first, &of_second}) makeRoom(*list, 1);
+  setOptions(first, bodies[first].options);  // so that the pair is due
   if (ignored) {
-    for (std::vector<Slot>* list : {&of_first, &of_second}) makeRoom(*list, 1);
-    setOptions(first, bodies[first].options);  // may throw
     of_first.push_back(second);
     of_second.push_back(first);
   } else {
-    setOptions(first, bodies[first].options);  // may throw
     erase(of_first, second);
     erase(of_second, first);
   }

@@ -68,11 +68,8 @@ std::optional<BodyDistance> Scene::nearest(const Polygon& polygon, const Pose& p
 std::vector<std::optional<BodyDistance>> Scene::nearest(const Polygon& polygon, const std::vector<Pose>& poses,
                                                         const DistanceOptions& options, const BodyFilter& filter,
                                                         const Parallel& parallel) const {
-  for (std::size_t i = 0; i < poses.size(); ++i) detail::requireRigid(poses[i], "poses", i);
-  std::vector<std::optional<BodyDistance>> answers(poses.size());
-  detail::inParallelTasks(parallel, poses.size(),
-                          [&](std::size_t i) { answers[i] = nearest(polygon, poses[i], options, filter); });
-  return answers;
+  return detail::answersAt<std::optional<BodyDistance>>(
+      poses, parallel, [&](const Pose& pose) { return nearest(polygon, pose, options, filter); });
 }
 
 std::optional<BodyDistance> Scene::nearestWithin(const Polygon& polygon, const Pose& pose, double limit,

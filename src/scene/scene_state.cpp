@@ -179,7 +179,7 @@ SceneState::Finding SceneState::look(Pair& pair) {
   if (!mayMeet(pair.body[0], pair.body[1]) || !tree.boundsOf(pair.body[0]).meets(tree.boundsOf(pair.body[1])))
     return {false, false};
   const double pace = p.step + q.step;
-  const CollideOptions options = withBody({p.options.margin, 0, p.options.touching}, q.options);
+  const CollideOptions options = optionsOf(p.options, q.options);
   // A certificate says nothing of depths.
   const CollideOptions certified = options.margin < 0 ? CollideOptions{} : options;
   Outcome found = inKernelOrder(

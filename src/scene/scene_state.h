@@ -200,4 +200,9 @@ inline CollideOptions withBody(const CollideOptions& options, const BodyOptions&
           body.touching != Touching::Collides ? body.touching : options.touching};
 }
 
+/// The options of two bodies beside each other.
+inline CollideOptions optionsOf(const BodyOptions& p, const BodyOptions& q) {
+  return withBody({p.margin, 0, p.touching}, q);
+}
+
 }  // namespace tricover::detail

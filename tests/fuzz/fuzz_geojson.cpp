@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bytes as GeoJSON: features or std::runtime_error, never anything else. Features are written and read again to the
 // same.
-//
-// After a zero the bytes are the text. Otherwise they choose one that is mostly right.
 #include "geo_case.h"
 
 namespace {
@@ -121,10 +119,7 @@ void checkMembers(const std::string& id, const std::string& properties) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const bool is_text = size > 0 && data[0] == 0;
-  fuzz::GeoBytes geo(data, size);
-  const std::string text = is_text ? std::string(data + 1, data + size) : anyText(geo);
-  const GeoOptions options = is_text ? GeoOptions() : geo.options();
+  const auto [text, options] = fuzz::GeoInput(data, size, anyText);
   std::vector<GeoFeature> features;
   try {
     features = parseGeoJson(text, options);

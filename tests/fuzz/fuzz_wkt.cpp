@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bytes as WKT: a polygon or std::runtime_error, never anything else. A polygon is written and read again to the same.
-//
-// After a zero the bytes are the text. Otherwise they choose one that is mostly right.
+#include <optional>
+
 #include "geo_case.h"
 
 namespace {
@@ -37,16 +37,13 @@ std::string anyText(fuzz::GeoBytes& geo) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const bool is_text = size > 0 && data[0] == 0;
-  fuzz::GeoBytes geo(data, size);
-  const std::string text = is_text ? std::string(data + 1, data + size) : anyText(geo);
-  const GeoOptions options = is_text ? GeoOptions() : geo.options();
-  std::vector<GeoFeature> features;
+  const auto [text, options] = fuzz::GeoInput(data, size, anyText);
+  std::optional<GeoFeature> feature;
   try {
-    features.push_back(parseWkt(text, options));
+    feature = parseWkt(text, options);
   } catch (const std::runtime_error&) {
     return 0;
   }
-  fuzz::checkWritten(features[0].polygon, "parseWkt(" + fuzz::quoted(text) + ");\n");
+  fuzz::checkWritten(feature->polygon, "parseWkt(" + fuzz::quoted(text) + ");\n");
   return 0;
 }

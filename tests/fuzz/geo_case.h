@@ -103,6 +103,20 @@ class GeoBytes {
   }
 };
 
+/// What a target reads: after a zero the bytes are the text; otherwise make(geo) chooses one that is mostly right.
+struct GeoInput {
+  template <typename Make>
+  GeoInput(const std::uint8_t* data, std::size_t size, const Make& make) {
+    GeoBytes geo(data, size);
+    const bool is_text = size > 0 && data[0] == 0;
+    text = is_text ? std::string(data + 1, data + size) : make(geo);
+    if (!is_text) options = geo.options();
+  }
+
+  std::string text;
+  GeoOptions options;
+};
+
 /// A text as C++.
 inline std::string quoted(const std::string& text) {
   std::string result = "\"";

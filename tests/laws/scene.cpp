@@ -25,7 +25,7 @@ std::string wrongWalk(const std::vector<Case>& cases, Random& random, Tally& tal
     const std::pair<const char*, int SceneWalk::*> counted[] = {
         {"hits", &SceneWalk::hits}, {"began", &SceneWalk::began},   {"ended", &SceneWalk::ended},
         {"free", &SceneWalk::free}, {"inside", &SceneWalk::inside}, {"impacts", &SceneWalk::impacts_found},
-        {"rays", &SceneWalk::rays}};
+        {"rays", &SceneWalk::rays}, {"leasts", &SceneWalk::leasts}};
     std::vector<int> before;
     for (const auto& [trait, count] : counted) before.push_back(walk.*count);
     walk.frame();
@@ -120,11 +120,11 @@ Shares seen(double least, std::initializer_list<const char*> traits) {
 }
 
 Laws sceneLaws() {
-  const auto all = {"hits", "began", "ended", "free", "inside", "impacts", "rays"};
+  const auto all = {"hits", "began", "ended", "free", "inside", "impacts", "rays", "leasts"};
   Laws laws = {{"crowds", 20, wrongCrowd, seen(0.02, all)},
                {"containers", 60, wrongInContainer, {{"hits", 0.25, 0.75}, {"by the wall", 0.02, 0.5}}},
                {"many", 8, wrongOfMany, seen(0.02, {"hits", "began", "ended"})},
-               {"zones", 48, wrongZones, seen(0.014, {"hits", "began", "free", "impacts", "rays"})}};
+               {"zones", 48, wrongZones, seen(0.014, {"hits", "began", "free", "impacts", "rays", "leasts"})}};
   for (const Family& family : joined(families(), anyPairs()))
     laws.push_back({family.name, 32, [family](Random& random, Tally& tally) { return wrongOf(family, random, tally); },
                     seen(0.014, all)});

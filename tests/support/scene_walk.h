@@ -56,13 +56,11 @@ class SceneWalk {
     if (random_.oneIn(6) && bodies_.size() > most_ / 3) remove();
     if (random_.oneIn(6) && bodies_.size() < most_) add(random_.oneIn(4) ? random_.integer(0, 3) : 1);
     if (random_.oneIn(4)) {
-      const Scene::Body body = bodies_[index(bodies_.size())];
+      const Scene::Body body = anyBody(random_);
       scene_.setOptions(body, anyOptions(scene_.polygon(body)));
     }
     if (more_.oneIn(4)) {
-      std::swap(random_, more_);
-      const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
-      std::swap(random_, more_);
+      const Scene::Body p = anyBody(more_), q = anyBody(more_);
       if (p != q) scene_.setIgnored(p, q, !scene_.isIgnored(q, p));
     }
     if (random_.oneIn(3)) return;  // nobody asks
@@ -85,8 +83,7 @@ class SceneWalk {
 
   std::string wrong;  ///< the first thing that was; empty if there is none
   int asked = 0, hits = 0, began = 0, ended = 0;
-  int free = 0, inside = 0;                     ///< of queries
-  int impacts_found = 0, rays = 0, leasts = 0;  ///< hits
+  int free = 0, inside = 0, impacts_found = 0, rays = 0, leasts = 0;  ///< of queries
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -99,8 +96,10 @@ class SceneWalk {
   };
 
   const Part& anyPart() { return parts_[index(parts_.size())]; }
-  std::size_t index(std::size_t count) {
-    return static_cast<std::size_t>(random_.integer(0, static_cast<int>(count) - 1));
+  Scene::Body anyBody(Random& random) { return bodies_[index(bodies_.size(), random)]; }
+  std::size_t index(std::size_t count) { return index(count, random_); }
+  static std::size_t index(std::size_t count, Random& random) {
+    return static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
   }
 
   /// Of its rings.
@@ -233,7 +232,7 @@ class SceneWalk {
     const Pose start = random_.coin() ? away(part.pose) : near(part.polygon, part.pose);
     BodyFilter filter;
     if (random_.oneIn(4)) filter.categories = static_cast<std::uint32_t>(random_.integer(1, 2));
-    if (random_.oneIn(4)) filter.except = bodies_[index(bodies_.size())];
+    if (random_.oneIn(4)) filter.except = anyBody(random_);
     return {part, start, filter};
   }
   bool passes(const BodyFilter& filter, Scene::Body body) const {
@@ -324,10 +323,10 @@ class SceneWalk {
 
   /// Margins aren't met exactly: see Scene::castRay().
   void ray() {
-    const Scene::Body p = bodies_[index(bodies_.size())], q = bodies_[index(bodies_.size())];
+    const Scene::Body p = anyBody(random_), q = anyBody(random_);
     const Vec2 from = pointOf(p), to = random_.coin() ? pointOf(q) : Vec2(from + 2 * (pointOf(q) - from));
     if (!from.allFinite() || !to.allFinite()) return;
-    const Scene::Body except = random_.oneIn(4) ? bodies_[index(bodies_.size())] : kNoBody;
+    const Scene::Body except = random_.oneIn(4) ? anyBody(random_) : kNoBody;
     std::optional<BodyRayHit> expected;
     std::vector<Scene::Body> sorted = bodies_;
     std::sort(sorted.begin(), sorted.end());
@@ -423,7 +422,7 @@ class SceneWalk {
   template <typename Way>
   void firstImpact(const Polygon& polygon, const Way& way, const ImpactOptions& options) {
     BodyFilter filter;
-    if (random_.oneIn(4)) filter.except = bodies_[index(bodies_.size())];
+    if (random_.oneIn(4)) filter.except = anyBody(random_);
     const auto impact = scene_.firstImpact(polygon, way, options, filter);
     double first = kInfinity;
     Scene::Body hit = 0;

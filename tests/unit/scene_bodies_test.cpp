@@ -199,6 +199,7 @@ TEST(Scene, ContactsAreThoseOfAllPairs) {
 TEST(Scene, LeastDistanceIsThatOfTheNearestBody) {
   Scene scene;
   EXPECT_FALSE(scene.leastDistance(kSquare, Motion::still(at(0))));
+  EXPECT_THROW(scene.leastDistance(kSquare, Motion::still(at(0)), {0, -1}), std::invalid_argument);
   const Scene::Body a = scene.add(kSquare, at(10, 4)), b = scene.add(kSquare, at(20, -3.5), {0.25});
   scene.add(kSquare, at(30, 8));
   const Motion way = Motion::translation(at(0), {40, 0});

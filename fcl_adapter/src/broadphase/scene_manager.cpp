@@ -56,7 +56,7 @@ struct SceneManager<S>::Impl {
   static bool ignores(const Entry& p, const Entry& q) {
     return std::find(p.ignored.begin(), p.ignored.end(), q.object) != p.ignored.end();
   }
-  /// Of a question about one of ours, or null.
+  /// Whether a query leaves an entry out. `self` is the entry that is asked about, if it is one of ours, or null.
   static bool isLeftOut(const Entry* self, const Entry& entry) {
     return &entry == self || (self != nullptr && ignores(*self, entry));
   }
