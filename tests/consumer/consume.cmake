@@ -19,6 +19,8 @@ if(DPKG_DEB)
     OUTPUT_VARIABLE packed COMMAND_ERROR_IS_FATAL ANY)
   file(GLOB_RECURSE files RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
   foreach(file ${files})
+    # Debian's Python looks into a folder of its own below /usr.
+    string(REGEX REPLACE "^lib/python3[.][0-9]+/site-packages/" "lib/python3/dist-packages/" file ${file})
     if(NOT packed MATCHES "usr/${file}\n")
       message(FATAL_ERROR "${file} is installed, but not in ${package}")
     endif()
