@@ -33,10 +33,10 @@ struct OccupancyMap {
 ///   `trinary: false` of map_server's first versions means this mode.
 /// - `raw`: a cell is round(255 grey) if that is at most 100, and otherwise -1.
 ///
-/// PGM images are of at most 65,535 x 65,535 pixels, as text (P2) or of one byte a pixel (P5). A P5 header may end in
-/// CR LF if the file's size proves it. PNG images are as large at most, of any kind. The grey of a colour is the mean
-/// of red, green and blue, unless the YAML file's mode is raw, where the colours' mean is rounded. A pixel that is not
-/// opaque is -1 in the modes trinary and scale. (Some versions of nav2 and map_server take
+/// Images have at most 65,535 pixels along a side and 2^28 (16,384 x 16,384) in all. PGM is text (P2) or one byte a
+/// pixel (P5), whose header may end in CR LF if the file's size proves it. PNG may be of any kind. The grey of a colour
+/// is the mean of red, green and blue, unless the YAML file's mode is raw, where the colours' mean is rounded. A pixel
+/// that is not opaque is -1 in the modes trinary and scale. (Some versions of nav2 and map_server take
 /// alpha for a fourth colour in mode trinary, which makes opaque unknown cells free.) An image's first row is the map's
 /// last.
 ///
@@ -58,7 +58,7 @@ TRICOVER_EXPORT OccupancyMap readOccupancyMap(const std::string& yaml);
 /// `image` is its path as the YAML file is to name it: from the YAML file's folder, or an absolute one. It
 /// ends in `.pgm` or `.png`, in any case. If it is empty, the image is beside the YAML file and has its name, with
 /// `.pgm` in mode trinary and `.png` in mode scale. PGM keeps no unknown cells in mode scale.
-/// \throws std::invalid_argument for a grid without cells, of more than 65,535 x 65,535, or with a value missing or
+/// \throws std::invalid_argument for a grid without cells, larger than an image may be, or with a value missing or
 /// left over; for a cell that is not from -1 to 100 or that the image can't keep, which the text names; for a
 /// resolution that is not positive and finite; for an origin of the grid that is not (0, 0); for a pose that
 /// checkPose() refuses, that mirrors, or that no yaw gives within 1e-12; and for an image's path with another ending

@@ -15,6 +15,12 @@ namespace {
 /// How far an entry of the pose that is read may be from the one that was written.
 constexpr double kYawTolerance = 1e-12;
 
+const std::string kAboveMost = ", more than 2^28 in all", kCutIt = "cut it into several maps";
+
+std::string sizeOf(std::size_t width, std::size_t height) {
+  return "has " + std::to_string(width) + " x " + std::to_string(height) + " cells";
+}
+
 bool isPng(const Input& image) {
   const bool found = image.in.peek() == 0x89;
   image.in.clear();  // of the end of an empty file
@@ -41,8 +47,9 @@ double yawOf(const Pose& pose) {
 
 void checkGrid(const OccupancyGrid& grid) {
   if (grid.width < 1 || grid.height < 1 || grid.width > kMostPixels || grid.height > kMostPixels)
-    refuse("grid", "it has " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
-                       " cells, not 1 x 1 to 65535 x 65535");
+    refuse("grid", "it " + sizeOf(grid.width, grid.height) + ", not 1 x 1 to 65535 x 65535");
+  if (grid.width * grid.height > kMostCells)
+    refuse("grid", "it " + sizeOf(grid.width, grid.height) + kAboveMost, kCutIt);
   checkCells(grid);
   if (!std::isfinite(grid.resolution)) refuse("resolution", "it must be positive and finite");
   if (grid.origin != Vec2(0, 0))
@@ -64,6 +71,10 @@ std::size_t firstCell(const OccupancyGrid& grid, const Fits& fits) {
 }
 
 }  // namespace
+
+void checkSize(const Input& image, std::size_t width, std::size_t height) {
+  if (width * height > kMostCells) refuseFile(image.name, sizeOf(width, height) + kAboveMost, kCutIt);
+}
 
 OccupancyMap readMap(const MapFields& fields, const Input& image) {
   OccupancyMap map;

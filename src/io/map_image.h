@@ -13,6 +13,11 @@
 namespace tricover::detail {
 
 constexpr std::size_t kMostPixels = 65535;  ///< along each side of an image
+/// In all. A PNG file of a few megabytes can say that it has 4e9 of one colour.
+constexpr std::size_t kMostCells = std::size_t{1} << 28;
+
+/// \throws std::runtime_error for more than kMostCells
+void checkSize(const Input& image, std::size_t width, std::size_t height);
 
 /// The map of these fields and their image, PGM or PNG.
 /// \throws std::runtime_error for what is no such image

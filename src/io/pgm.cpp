@@ -83,6 +83,7 @@ class Pgm {
 
 void readPgm(const Input& image, const MapFields& fields, OccupancyGrid& grid) {
   Pgm pgm(image);
+  checkSize(image, pgm.width, pgm.height);
   const std::vector<std::int8_t> values = valuesOfGreys(fields, pgm.white);
   grid.width = pgm.width;
   grid.height = pgm.height;

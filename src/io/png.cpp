@@ -156,7 +156,11 @@ class PngReader {
 
 void readPng(const Input& image, const MapFields& fields, OccupancyGrid& grid) {
   // Decoded twice, so that pixels that the file doesn't hold take no memory.
-  PngReader(image).forEachPixel([](std::size_t, std::size_t, std::size_t, bool) {});
+  {
+    PngReader png(image);
+    checkSize(image, png.width, png.height);
+    png.forEachPixel([](std::size_t, std::size_t, std::size_t, bool) {});
+  }
   image.in.seekg(0);
   PngReader png(image);
   const std::vector<std::int8_t> values = valuesOfGreys(fields, png.white);

@@ -258,9 +258,18 @@ TEST_F(OccupancyMapPng, PixelsThatAreMissingTakeNoMemory) {
     Image image{500, 400, 8, PNG_COLOR_TYPE_GRAY, std::vector<unsigned>(200000, 255)};
     image.is_interlaced = is_interlaced;
     const std::size_t before = most();
-    EXPECT_EQ(errorOfPng(withSize(image.file(), 65535, 65535)).rfind(words(), 0), 0u);
+    EXPECT_EQ(errorOfPng(withSize(image.file(), 16384, 16384)).rfind(words(), 0), 0u);
     EXPECT_LT(most() - before, std::size_t{64} << 20);
   }
+}
+
+// Four megabytes of PNG hold 4e9 cells of one colour.
+TEST_F(OccupancyMapPng, MoreCellsThanTheMostAreRefused) {
+  const std::string file = Image{2, 1, 8, PNG_COLOR_TYPE_GRAY, {0, 255}}.file(), name = path("map.png");
+  EXPECT_EQ(errorOfPng(withSize(file, 65535, 65535)),
+            "tricover: " + name + ": has 65535 x 65535 cells, more than 2^28 in all; cut it into several maps");
+  EXPECT_NE(errorOfPng(withSize(file, 16384, 16385)).find("more than 2^28"), std::string::npos);
+  EXPECT_EQ(errorOfPng(withSize(file, 16384, 16384)).rfind(words(), 0), 0u) << "only its pixels are missing";
 }
 
 }  // namespace
