@@ -155,17 +155,23 @@ void appendEdge(Ring& to, const Vec2& v, const Vec2& w, std::vector<OrderedPoint
 
 /// Adds crossings of edges as vertices, until there is none away from vertices. Returns how many.
 std::size_t addCrossings(std::vector<Ring>& rings, const std::string& name) {
-  constexpr int kMostRounds = 32;  // each crossing that rounding makes anew is within an ulp of another one: one or two
+  constexpr int kMostRounds = 32;
+  // Rounding makes few crossings anew, within an ulp of others. Where edges' coordinates differ by a hundred orders of
+  // magnitude, each round doubles their number.
+  std::size_t most = 1 << 20;
   std::set<OrderedPoint> points;
   for (int round = 0; round < kMostRounds; ++round) {
     std::map<EdgeIndex, std::vector<OrderedPoint>> added;
-    for (const SelfCrossing& crossing : selfCrossings(Polygon(rings, FillRule::NonZero))) {
+    const auto found = selfCrossings(Polygon(rings, FillRule::NonZero), most + 1);
+    if (found.size() > most) break;
+    for (const SelfCrossing& crossing : found) {
       if (crossing.kind != SelfCrossingKind::Crossing) continue;
       const OrderedPoint point{crossing.point.x(), crossing.point.y()};
       points.insert(point);
       for (const EdgeIndex edge : {crossing.edge_a, crossing.edge_b}) added[edge].push_back(point);
     }
     if (added.empty()) return points.size();
+    if (round == 0) most = 3 * found.size() + 16;
     EdgeIndex edge = 0;
     for (Ring& ring : rings) {
       Ring longer;
@@ -180,7 +186,10 @@ std::size_t addCrossings(std::vector<Ring>& rings, const std::string& name) {
       ring = std::move(longer);
     }
   }
-  refuseFile(name, "its parts overlap, and rounding their crossings makes new ones without end", kRepair);
+  refuseFile(name,
+             "its parts overlap, and cross at more than " + std::to_string(most) +
+                 " places, those included that rounding makes",
+             kRepair);
 }
 
 std::vector<Ring> ringsOf(std::vector<Part> parts) {
