@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a fleet planner asks: three robots follow their plans through a hall; who comes too close to whom or what, when
 // and where? The bodies are prisms with safety margins, the plans splines from knot to knot, each by times of its own,
-// and FCL's continuous collision answers. Draws the last seconds before the first conflict.
+// and FCL's continuous collision answers. Writes a recording, which a browser plays.
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/continuous_collision_object.h>
 #include <fcl/narrowphase/distance.h>
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <sstream>
 
 #include "picture.h"
 
@@ -21,18 +20,20 @@ constexpr double kEnd = 12, kMargin = 0.15, kQuarter = M_PI / 2;  // seconds, me
 
 struct Body {
   std::string name;
+  tricover::Trajectory plan;
   std::shared_ptr<tricover_fcl::PolygonShaped> shape;
   std::shared_ptr<tricover_fcl::TrajectoryMotiond> motion;  // FCL's time 0 and 1 are 0 s and kEnd
 
   Body(std::string name_, const tricover::Polygon& polygon, const tricover_fcl::PolygonOptions& options,
-       const tricover::Trajectory& plan)
+       const tricover::Trajectory& plan_)
       : name(std::move(name_)),
+        plan(plan_),
         shape(std::make_shared<tricover_fcl::PolygonShaped>(polygon, options)),
         motion(std::make_shared<tricover_fcl::TrajectoryMotiond>(plan, 0, kEnd)) {}
 };
 
 struct Meeting {
-  const Body *who, *with;
+  std::size_t who, with;
   double when;
   tricover::Vec2 where;
 };
@@ -87,53 +88,52 @@ std::vector<Meeting> meetings(const std::vector<Body>& bodies, std::size_t robot
       const fcl::DistanceRequestd ask_points(true);
       fcl::DistanceResultd apart;
       fcl::distance(who.shape.get(), result.contact_tf1, with.shape.get(), result.contact_tf2, ask_points, apart);
-      found.push_back({&who, &with, who.motion->clockAt(result.time_of_contact), apart.nearest_points[0].head<2>()});
+      found.push_back({i, j, who.motion->clockAt(result.time_of_contact), apart.nearest_points[0].head<2>()});
     }
   }
   std::sort(found.begin(), found.end(), [](const Meeting& p, const Meeting& q) { return p.when < q.when; });
   return found;
 }
 
-/// Pictures side by side: the hall, the robots with their margins, and the ways that they have gone.
-tricover::SvgDrawing strip(const std::vector<Body>& bodies, std::size_t robots, const Meeting& first) {
-  tricover::SvgDrawing drawing(1600);
-  for (int picture = 0; picture < 4; ++picture) {
-    const double now = first.when - 1.5 * (3 - picture);
-    const auto poseAt = [&](const Body& body, double time) {
-      return Eigen::Translation2d(13.0 * picture, 0) * body.motion->trajectory().at(time / kEnd);
-    };
-    for (std::size_t i = bodies.size(); i-- > 0;) {
-      const Body& body = bodies[i];
-      std::vector<tricover::Vec2> way;
-      for (double time = 0; time < now; time += 0.1) way.push_back(poseAt(body, time).translation());
-      if (i < robots) drawing.polyline(way, "#1d4ed8");
-      const bool meets = picture == 3 && (&body == first.who || &body == first.with);
-      drawing.polygon(body.shape->polygon(), poseAt(body, now),
-                      i >= robots ? "#d6d3d1"
-                      : meets     ? "#dc2626"
-                                  : "#16a34a",
-                      "#333", body.shape->options().margin);
-    }
-    std::ostringstream caption;
-    caption << std::fixed << std::setprecision(2) << now << " s";
-    drawing.text({13.0 * picture + 6, -1}, caption.str());
+/// The robots on their ways, with their margins, and where the library says that they meet.
+tricover::SceneRecording recordingOf(const std::vector<Body>& bodies, const std::vector<Meeting>& found) {
+  tricover::Scene scene;
+  std::vector<tricover::BodyTrajectory> plans;
+  tricover::BodyOptions options;
+  for (const Body& body : bodies) {
+    options.margin = body.shape->options().margin;
+    plans.push_back({scene.add(body.shape->polygon(), body.plan.at(0), options), body.plan});
   }
-  return drawing;
+  std::vector<tricover::PairImpact> impacts;
+  for (const auto& [who, with, when, where] : found) {
+    const Body &a = bodies[who], &b = bodies[with];
+    const auto apart = tricover::distance(a.shape->polygon(), a.plan.at(when), b.shape->polygon(), b.plan.at(when));
+    tricover::Impact impact{};
+    impact.time = when;
+    impact.point = where;
+    impact.normal = (apart.point_b - apart.point_a).normalized();
+    impacts.push_back({{plans[who].body, plans[with].body}, impact});
+  }
+  tricover::SceneRecording recording("A hall");
+  recording.trajectories(scene, plans);
+  recording.impacts(impacts);
+  for (std::size_t i = 0; i < bodies.size(); ++i) recording.name(plans[i].body, bodies[i].name);
+  return recording;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runExample(argc, argv, "usage: fleet [picture.svg]\n", "fleet.svg", 1, [](const auto& arguments) {
+  return runExample(argc, argv, "usage: fleet [recording.html]\n", "fleet.html", 1, [](const auto& arguments) {
     tricover_fcl::registerNarrowphase();
     const std::vector<Body> bodies = hall();
     const std::vector<Meeting> found = meetings(bodies, 3);
     std::cout << "who       with      when     where\n" << std::fixed;
     for (const auto& [who, with, when, where] : found)
-      std::cout << std::left << std::setw(10) << who->name << std::setw(10) << with->name << std::right
+      std::cout << std::left << std::setw(10) << bodies[who].name << std::setw(10) << bodies[with].name << std::right
                 << std::setprecision(3) << std::setw(6) << when << " s (" << std::setprecision(2) << where.x() << ", "
                 << where.y() << ")\n";
-    if (!found.empty()) savePicture(strip(bodies, 3, found[0]), arguments[0]);
+    savePicture(recordingOf(bodies, found), arguments[0]);
     return 0;
   });
 }

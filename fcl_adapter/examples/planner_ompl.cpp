@@ -7,6 +7,7 @@
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
+#include <tricover/svg.h>
 #include <tricover_fcl/tricover_fcl.h>
 
 #include <deque>

@@ -162,16 +162,16 @@ std::size_t addCrossings(std::vector<Ring>& rings, const std::string& name) {
   std::set<OrderedPoint> points;
   for (int round = 0; round < kMostRounds; ++round) {
     std::map<EdgeIndex, std::vector<OrderedPoint>> added;
-    const auto found = selfCrossings(Polygon(rings, FillRule::NonZero), most + 1);
-    if (found.size() > most) break;
-    for (const SelfCrossing& crossing : found) {
+    const auto crossings = selfCrossings(Polygon(rings, FillRule::NonZero), most + 1);
+    if (crossings.size() > most) break;
+    for (const SelfCrossing& crossing : crossings) {
       if (crossing.kind != SelfCrossingKind::Crossing) continue;
       const OrderedPoint point{crossing.point.x(), crossing.point.y()};
       points.insert(point);
       for (const EdgeIndex edge : {crossing.edge_a, crossing.edge_b}) added[edge].push_back(point);
     }
     if (added.empty()) return points.size();
-    if (round == 0) most = 3 * found.size() + 16;
+    if (round == 0) most = 3 * crossings.size() + 16;
     EdgeIndex edge = 0;
     for (Ring& ring : rings) {
       Ring longer;

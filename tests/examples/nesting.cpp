@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cuts parts out of a sheet: each of a GeoJSON file's parts goes to the lowest place, and the leftmost there, that is a
 // kerf away from all others and from the sheet's edge, in one of four quarter turns. Small parts go into the
-// notches of large ones. usage: nesting [nesting.svg [parts.geojson]]
+// notches of large ones. usage: nesting [nesting.svg [parts.geojson [nesting.html]]], the last a recording
 #include <tricover/geojson.h>
 #include <tricover/tricover.h>
 
@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   options.touching = Touching::Allowed;
   Scene scene;
   const Scene::Body outside = scene.add(sheet.complement(), poseAt(0, 0), options);
+  SceneRecording recording("Nesting");
 
   for (const GeoFeature& feature : readGeoJson(argc > 2 ? argv[2] : "parts.geojson")) {
     std::vector<Pose> poses;  // the lowest first
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
       const auto free = std::find(collides.begin(), collides.end(), false);
       if (free == collides.end()) break;  // the sheet is full
       scene.add(feature.polygon, poses[static_cast<std::size_t>(free - collides.begin())], options);
+      recording.frame(static_cast<double>(scene.size()), scene);
     }
   }
   std::cout << scene.size() - 1 << " parts placed, " << scene.collisions().size() << " collisions\n";
@@ -38,4 +40,5 @@ int main(int argc, char** argv) {
   scene.remove(outside);
   drawing.scene(scene, "#a7c7e7");
   drawing.save(argc > 1 ? argv[1] : "nesting.svg");
+  recording.save(argc > 3 ? argv[3] : "nesting.html");
 }

@@ -2,22 +2,17 @@
 // What the examples that draw have in common.
 #pragma once
 
-#include <tricover/svg.h>
-
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-/// Says where the picture is. Throws where the file can't be written, all of it.
-inline void savePicture(const tricover::SvgDrawing& drawing, const std::string& path) {
-  std::ofstream file(path);
-  file << drawing.str();
-  file.close();
-  if (!file) throw std::runtime_error("can't write " + path);
+/// Saves a drawing or a recording, and says where.
+template <typename Picture>
+void savePicture(const Picture& picture, const std::string& path) {
+  picture.save(path);
   std::cerr << "drawn: " << path << "\n";
 }
 
