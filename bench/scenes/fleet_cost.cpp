@@ -10,6 +10,7 @@
 #include "random.h"
 #include "rivals/boost.h"
 #include "scene_studies.h"
+#include "tricover/recording.h"
 #include "tricover/scene.h"
 #include "workloads.h"
 
@@ -95,9 +96,20 @@ double longestDifference(const std::vector<PairImpact>& a, const std::vector<Pai
   return longest;
 }
 
+/// Writes fleet.html: the robots that are timed, on their ways, and their conflicts.
+void record(const std::string& directory, const Scene& scene, const std::vector<BodyMotion>& motions,
+            const std::vector<PairImpact>& impacts) {
+  std::vector<BodyTrajectory> ways;
+  for (const BodyMotion& each : motions) ways.push_back({each.body, Trajectory({{0, 1, each.motion}})});
+  SceneRecording recording("A fleet on splines");
+  recording.trajectories(scene, ways);
+  recording.impacts(impacts);
+  recording.save(directory + "/fleet.html");
+}
+
 }  // namespace
 
-std::vector<Result> measureFleet(bool full) {
+std::vector<Result> measureFleet(const std::string& directory, bool full) {
   const std::size_t robots = full ? 1000 : 300, obstacles = robots / 5;
   const Fleet fleet = makeFleet(robots, obstacles);
   Scene scene;
@@ -112,6 +124,7 @@ std::vector<Result> measureFleet(bool full) {
   // Both times may be early by the time_error.
   if (longestDifference(ours, swept) > 1e-6) throw std::logic_error("fleet: the two methods give different conflicts");
   result.collisions = swept.size();
+  record(directory, scene, motions, ours);
   return {result};
 }
 

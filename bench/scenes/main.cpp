@@ -45,7 +45,7 @@ bool run(const std::string& directory, bool full) {
                        {"Maps", measureMaps(countries, settings)},
                        {"Rays", measureRays(countries, settings)},
                        {"Growing crowds, a body and frame", measureCrowds()},
-                       {"Conflicts of a fleet on splines", measureFleet(full)}},
+                       {"Conflicts of a fleet on splines", measureFleet(directory, full)}},
                       "# How it was measured\n\n" + machine(settings) + kHow);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "inputs.h"
@@ -20,8 +21,8 @@ std::vector<Result> measureMaps(const Countries& countries, const Settings& sett
 std::vector<Result> measureRays(const Countries& countries, Settings settings);
 
 /// All conflicts of robots on splines with each other and with obstacles: Scene::impacts() beside timeOfImpact() of the
-/// pairs whose swept boxes meet.
-std::vector<Result> measureFleet(bool full);
+/// pairs whose swept boxes meet. Writes fleet.html, a recording of it.
+std::vector<Result> measureFleet(const std::string& directory, bool full);
 
 /// Many against many: 2,000 outlines, each turning and driving in a circle of its own, about 5 % of them in a
 /// collision. A query is one frame: every object is moved, and all pairs that collide are wanted. First contours of 64
