@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What our documents tell a user to install is what the build needs and what our scripts install.
 
-README's build line and its table of options name Debian's packages. They are those of tests/run.sh and bench/run.sh, those that
+README's build line and the tables of options there and in CONTRIBUTING name Debian's packages. They are those of tests/run.sh and bench/run.sh, those that
 CMake looks for in the folder that an option builds, and those of every other command in a document that sets the option.
 """
 import collections
@@ -37,9 +37,9 @@ def installedBy(script):
 
 def main() -> int:
     wrong = []
-    readme = (ROOT / "README.md").read_text()
+    readme, contributing = ((ROOT / name).read_text() for name in ("README.md", ".github/CONTRIBUTING.md"))
     build = set(APT.search(readme)[1].split())
-    rows = collections.defaultdict(set, {option: set(packages.split()) for option, packages in ROW.findall(readme)})
+    rows = collections.defaultdict(set, {option: set(packages.split()) for option, packages in ROW.findall(readme + contributing)})
 
     def compare(what, named, wanted):
         wrong.extend(f"{what}: {package} is {'missing' if package in wanted else 'not wanted'}" for package in sorted(named ^ wanted))
@@ -54,7 +54,7 @@ def main() -> int:
         known = build | rows[option or "IO"]
         for wanted in LOOKS_FOR.findall(path.read_text()):
             if wanted != "tricover" and PACKAGES.get(wanted) not in known:
-                wrong.append(f"README's row of {option}: {PACKAGES.get(wanted)} is missing, for {wanted} of {name}")
+                wrong.append(f"the row of {option}: {PACKAGES.get(wanted)} is missing, for {wanted} of {name}")
 
     for document in DOCUMENTS:
         for commands in COMMANDS.findall((ROOT / document).read_text()):

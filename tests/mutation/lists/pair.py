@@ -106,4 +106,12 @@ MUTATIONS = [
     ("src/pair/meet_in_field.cpp", "along * std::abs(u_across) + across", "across", "field: edges beside a corner of the body's box"),
     ("src/pair/meet_in_field.cpp", "return is_any_near ||", "return", "field: containment where edges are near"),
     ("src/pair/discs.h", "kShrunk - look_.near;", "kStretched - look_.free;", "field: an edge is as near as it may be"),
+    ("src/overlay/self_crossings.cpp", "if (from > to) return;", "", "selfCrossings: edges on one line that are apart"),
+    ("src/overlay/self_crossings.cpp", "if (from == to) return visit(Vec2(from.data()), e, f);", "", "selfCrossings: edges on one line that share a point overlap"),
+    ("src/overlay/self_crossings.cpp", "if (is_along[v - begin]) continue;", "", "selfCrossings: rings that run along each other through a point"),
+    ("src/overlay/self_crossings.cpp", "if (runs(false) || runs(true)) return true;", "if (runs(false)) return true;", "selfCrossings: rings repeated backwards"),
+    ("src/overlay/self_crossings.cpp", "if (direction != shell_direction)", "if (direction == shell_direction)", "selfCrossings: holes outside"),
+    ("src/overlay/self_crossings.cpp", "if (is_flat_[ring] || is_crossed_[ring]) continue;", "if (is_flat_[ring]) continue;", "selfCrossings: holes outside among rings that cross"),
+    ("src/overlay/self_crossings.cpp", "if (edgeAfter(polygon_, e) == f || edgeAfter(polygon_, f) == e) return;", "", "selfCrossings: edges that follow each other meet"),
+    ("src/overlay/self_crossings.cpp", "if (isLower(path_[before]))", "if (false)", "selfCrossings: directions at a ring's first vertex"),
 ]
