@@ -96,13 +96,16 @@ std::vector<Meeting> meetings(const std::vector<Body>& bodies, std::size_t robot
 }
 
 /// The robots on their ways, with their margins, and where the library says that they meet.
-tricover::SceneRecording recordingOf(const std::vector<Body>& bodies, const std::vector<Meeting>& found) {
+tricover::SceneRecording recordingOf(const std::vector<Body>& bodies, std::size_t robots,
+                                     const std::vector<Meeting>& found) {
   tricover::Scene scene;
+  std::vector<tricover::Scene::Body> handles;
   std::vector<tricover::BodyTrajectory> plans;
   tricover::BodyOptions options;
   for (const Body& body : bodies) {
     options.margin = body.shape->options().margin;
-    plans.push_back({scene.add(body.shape->polygon(), body.plan.at(0), options), body.plan});
+    handles.push_back(scene.add(body.shape->polygon(), body.plan.at(0), options));
+    if (handles.size() <= robots) plans.push_back({handles.back(), body.plan});
   }
   std::vector<tricover::PairImpact> impacts;
   for (const auto& [who, with, when, where] : found) {
@@ -112,12 +115,12 @@ tricover::SceneRecording recordingOf(const std::vector<Body>& bodies, const std:
     impact.time = when;
     impact.point = where;
     impact.normal = (apart.point_b - apart.point_a).normalized();
-    impacts.push_back({{plans[who].body, plans[with].body}, impact});
+    impacts.push_back({{handles[who], handles[with]}, impact});
   }
   tricover::SceneRecording recording("A hall");
   recording.trajectories(scene, plans);
   recording.impacts(impacts);
-  for (std::size_t i = 0; i < bodies.size(); ++i) recording.name(plans[i].body, bodies[i].name);
+  for (std::size_t i = 0; i < bodies.size(); ++i) recording.name(handles[i], bodies[i].name);
   return recording;
 }
 
@@ -133,7 +136,7 @@ int main(int argc, char** argv) {
       std::cout << std::left << std::setw(10) << bodies[who].name << std::setw(10) << bodies[with].name << std::right
                 << std::setprecision(3) << std::setw(6) << when << " s (" << std::setprecision(2) << where.x() << ", "
                 << where.y() << ")\n";
-    savePicture(recordingOf(bodies, found), arguments[0]);
+    savePicture(recordingOf(bodies, 3, found), arguments[0]);
     return 0;
   });
 }
