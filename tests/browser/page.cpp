@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a recording to its argument: robots among racks, by trajectories of every kind, and one whose name is no HTML.
-// Prints where Trajectory::at() puts them at some times: "time body x y heading".
+// Writes a recording to its argument: robots among racks, by trajectories of every kind and by frames, and one whose
+// name is no HTML. Prints what the library says at some times, a line a body: time, body, x, y and heading (NaN where
+// it isn't there), margin, and whether it meets another one (-1 where nothing says so).
 #include <tricover/tricover.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 using namespace tricover;
@@ -36,6 +38,48 @@ Trajectory anyTrajectory(std::size_t i) {
   }
 }
 
+/// The page numbers bodies by their handles: the one that comes back is the last.
+void print(double time, std::size_t body, const Pose& at, double margin, int meets) {
+  std::printf("%.17g %zu %.17g %.17g %.17g %.17g %d\n", time, body, at.translation().x(), at.translation().y(),
+              std::atan2(at.linear()(1, 0), at.linear()(0, 0)), margin, meets);
+}
+
+constexpr double kTimes[] = {0, 4.5, 7.3, 14.9, 15, 20, 29.7};
+
+/// Bodies by a frame for each time: what moves, rests and moves again, turns over, grows its margin, appears, goes and
+/// comes back. The first two meet in frames 1, 2, 4 and 5.
+void addFrames(Scene& scene, SceneRecording& recording) {
+  const Polygon part({{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}});
+  std::vector<Scene::Body> bodies;
+  for (int i = 0; i < 5; ++i) bodies.push_back(scene.add(part, poseAt(-3 * i, -5), {0.05}));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::size_t frame = 0;
+  std::size_t numbers[5];
+  for (std::size_t i = 0; i < 5; ++i) numbers[i] = Scene::indexOf(bodies[i]);
+  for (const double time : kTimes) {
+    const double f = static_cast<double>(frame);
+    scene.move(bodies[0], poseAt(f, -4, 0.3 * f));
+    if (frame >= 3) scene.move(bodies[1], poseAt(-3 - f, -5, f));
+    Pose turned_over = poseAt(-6 + f, -7, 0.1 * f);
+    if (frame >= 2) turned_over.linear().col(1) *= -1;
+    scene.move(bodies[2], turned_over);
+    if (frame == 4) scene.setOptions(bodies[3], {0.4});
+    if (frame == 2) scene.remove(bodies[4]);
+    if (frame == 5) {
+      bodies[4] = scene.add(part, poseAt(-12, -9, 1), {0.05});
+      ++numbers[4];
+    }
+    const bool meet = frame == 1 || frame == 2 || frame == 4 || frame == 5;
+    recording.frame(time, scene, meet ? std::vector<BodyPair>{{bodies[0], bodies[1]}} : std::vector<BodyPair>{});
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const bool is_there = scene.contains(bodies[i]);
+      print(time, numbers[i], is_there ? scene.pose(bodies[i]) : poseAt(kNone, kNone),
+            is_there ? scene.options(bodies[i]).margin : 0, i < 2 && meet);
+    }
+    ++frame;
+  }
+}
+
 }  // namespace
 
 int main(int, char** argv) {
@@ -55,12 +99,9 @@ int main(int, char** argv) {
   recording.trajectories(scene, plans);
   recording.conflicts(scene.conflicts(plans, {0, 1e-3, true}));
   recording.name(plans[3].body, "</script><b>");
+  addFrames(scene, recording);
   recording.save(argv[1]);
-  for (const double time : {0.0, 4.5, 7.3, 14.9, 15.0, 20.0, 29.7})
-    for (const auto& [body, way] : plans) {
-      const Pose at = way.at(time);
-      if (way.isThere(time))
-        std::printf("%.17g %llu %.17g %.17g %.17g\n", time, static_cast<unsigned long long>(body), at.translation().x(),
-                    at.translation().y(), std::atan2(at.linear()(1, 0), at.linear()(0, 0)));
-    }
+  for (const double time : kTimes)
+    for (const auto& [body, way] : plans)
+      if (way.isThere(time)) print(time, Scene::indexOf(body), way.at(time), 0.1, -1);
 }

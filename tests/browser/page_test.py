@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays a recording in headless Chromium: no error, bodies where Trajectory::at() puts them, keys, a picture, two themes.
+"""Plays a recording in headless Chromium: no error, bodies where Trajectory::at() and frames put them, keys, a picture, two themes.
 
-usage: tests/browser/page_test.py PROGRAM   (which writes a page to its first argument, and prints "time body x y heading" lines)
+usage: tests/browser/page_test.py PROGRAM   (which writes a page to its first argument, and prints "time body x y heading margin meets" lines)
 Status 77 where Chromium is missing.
 """
 import json
@@ -22,11 +22,14 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
 (async () => {
   await wait(() => drawn.length > 0);
   const r = {worst: 0, count: 0};
-  for (const [t, b, x, y, h] of WANTED) {
-    seek(t); drawPicture();
+  for (const [t, b, x, y, h, margin, meets] of WANTED) {
+    seek(t); drawPicture(); ++r.count;
+    if (Number.isNaN(x)) { if (drawn.some((each) => each.body === bodies[b])) bad.push(`${t}: body ${b} is there`); continue; }
     const item = drawn.find((each) => each.body === bodies[b]), p = placeOf(item.body, item.pose), s = toScreen(p), w = toScreen({x, y});
     r.worst = Math.max(r.worst, Math.hypot(s.x - w.x, s.y - w.y), Math.abs(Math.sin(p.heading * Math.PI / 180 - h)) * view.scale);
-    ++r.count;
+    if (Math.abs(item.pose.margin - margin) > 1e-6) bad.push(`${t}: the margin of body ${b}`);
+    const met = meetingsAt(t).some((each) => each.a === item.body || each.b === item.body);
+    if (meets !== -1 && met !== (meets === 1)) bad.push(`${t}: body ${b} meets: ${met}`);
   }
   key("Home"); r.home = state.time === begin; key("End"); r.end = state.time === end; key("Home");
   key("ArrowRight"); r.step = state.time > begin; key("n"); r.mark = marks.some((m) => m.begin === state.time);

@@ -43,6 +43,7 @@ LEFT_OUT = re.compile(r"exact_reference_test|^reference_laws_test|workloads|fuzz
 CMAKE_CODE = """cmake_language(DEFER CALL target_precompile_headers tricover PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
   <algorithm> <atomic> <cmath> <functional> <limits> <memory> <mutex> <queue> <stdexcept> <string> <vector>)
 """
+MADE_OF = {"recording_in_chromium": "recording_page"}  # tests that are no executables: what they need
 MEMORY = 6 << 30  # bytes: a mutation may allocate without end
 
 
@@ -166,17 +167,18 @@ class Worker:
         configured = run(configure)
         if configured.returncode != 0:
             raise RuntimeError(configured.stdout)
-        # A test is named like its executable, whose path CTest doesn't say before it is built.
-        self.programs, part = {}, "/tests/fcl" if self.adapter else "/tests/"
+        # A test is named like its executable, whose path CTest doesn't say before it is built; but Chromium looks at a page.
+        self.commands, part = {}, "/tests/fcl" if self.adapter else "/tests/"
         for test in json.loads(run(["ctest", "--test-dir", self.build, "--show-only=json-v1"]).stdout)["tests"]:
             directory = next(p["value"] for p in test["properties"] if p["name"] == "WORKING_DIRECTORY")
-            program = pathlib.Path(directory) / test["name"]
-            if test.get("command", [str(program)]) == [str(program)] and part in directory and not LEFT_OUT.search(test["name"]) \
+            program = str(pathlib.Path(directory) / test["name"])
+            command = test.get("command", [program])
+            if (command == [program] or test["name"] in MADE_OF) and part in directory and not LEFT_OUT.search(test["name"]) \
                     and re.search(self.wanted, test["name"]):
-                self.programs[test["name"]] = program
+                self.commands[test["name"]] = command
 
-    def make(self, target):
-        return run(["cmake", "--build", self.build, "--target", target, "-j", "1"])
+    def make(self, test):
+        return run(["cmake", "--build", self.build, "--target", MADE_OF.get(test, test), "-j", "1"])
 
     def try_test(self, test, seconds):
         """What failed, or nothing."""
@@ -185,11 +187,11 @@ class Worker:
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         environment = dict(os.environ, TRICOVER_TEST_SCALE=self.scale)
         try:
-            tested = run([self.programs[test], "--gtest_break_on_failure", "--gtest_color=no"], env=environment, timeout=seconds,
-                         cwd=self.programs[test].parent, preexec_fn=limit)
+            tested = run([*self.commands[test], "--gtest_break_on_failure", "--gtest_color=no"], env=environment, timeout=seconds,
+                         cwd=pathlib.Path(self.commands[test][-1]).parent, preexec_fn=None if test in MADE_OF else limit)
         except subprocess.TimeoutExpired:
             return f"{test} (no end)"
-        if tested.returncode == 0:
+        if tested.returncode in (0, 77):  # 77: there is no Chromium
             return None
         started = re.findall(r"\[ RUN      \] (\S+)", tested.stdout)
         return f"{test}: {started[-1]}" if started else test
@@ -315,10 +317,10 @@ def main():
         tests, lock = Tests(), threading.Lock()
         workers = [Worker(work / str(k), arguments, tests) for k in range(min(arguments.jobs, len(left)))]
         in_parallel(workers, lambda _, worker: worker.prepare(), workers)
-        if not workers[0].programs:
+        if not workers[0].commands:
             sys.exit("there are no tests")
         on_lanes = any(mutation[0].startswith("src/hierarchy/") for mutation in left)
-        wanted = [test for test in sorted(workers[0].programs) if on_lanes or not test.endswith("_portable")]
+        wanted = [test for test in sorted(workers[0].commands) if on_lanes or not test.endswith("_portable")]
         in_parallel(workers, Worker.try_unmutated, wanted)
         print(f"without a mutation {len(tests.seconds)} tests pass in {sum(tests.seconds.values()):.0f} s", flush=True)
 

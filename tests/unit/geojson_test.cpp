@@ -308,6 +308,11 @@ TEST(GeoJson, IsBoundedByTheText) {
     EXPECT_LT(wrong(text).size(), 400u);
   }
   EXPECT_LT(wrong("\"" + std::string(1000000, 'x')).size(), 400u);
+  const auto nested = [](std::size_t depth) {
+    return "{\"a\":" + std::string(depth - 1, '[') + std::string(depth - 1, ']') + "," + polygonText(kSquare).substr(1);
+  };
+  EXPECT_EQ(wrong(nested(64)), "");
+  EXPECT_NE(wrong(nested(65)).find("nest more than 64 deep"), std::string::npos);
 }
 
 TEST(GeoJson, ReadsAndWritesFiles) {
