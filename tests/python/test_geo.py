@@ -14,6 +14,17 @@ try:
 except ImportError:
     shapely = None
 
+COUNTRIES = pathlib.Path(__file__).parents[2] / "bench" / "data" / "countries_110m.txt"
+
+
+def countries_at_110m():
+    lines = iter(COUNTRIES.read_text().splitlines())
+    for line in lines:
+        rings = int(line.split()[2])
+        yield tc.Polygon([[tuple(map(float, next(lines).split())) for _ in range(int(next(lines).split()[1]))]
+                          for _ in range(rings)])
+
+
 SHELL, HOLE = [(0, 0), (9, 0), (9, 9), (0, 9)], [(1, 1), (1, 8), (8, 8), (8, 1)]
 FRAME = tc.Polygon([SHELL, HOLE])
 
@@ -143,6 +154,36 @@ class BesideShapely(unittest.TestCase):
             self.assertEqual(tc.covers(tc.Polygon(a), (0, 0, 0), small, at), p.covers(shapely.geometry.Polygon(b * 0.2 + shift)))
             hits += gap == 0
         self.assertTrue(20 < hits < 280)
+
+    def test_countries(self):
+        """Areas, containment, distances and who meets whom; neighbours have borders in common."""
+        countries, refused = [], 0
+        for polygon in countries_at_110m():
+            try:
+                countries.append((polygon, shapely.geometry.shape(polygon)))
+            except ValueError:  # they cross themselves
+                refused += 1
+        self.assertEqual((len(countries), refused), (169, 4))
+        still, rng = (0, 0, 0), np.random.default_rng(5)
+        inside, meets, apart = 0, 0, 0
+        for polygon, shape in countries:
+            self.assertAlmostEqual(polygon.area / shape.area, 1, 12)
+            low, high = polygon.bounds
+            points = [shape.representative_point().coords[0], *rng.uniform(low, high, (20, 2))]
+            for point in points:
+                is_in = tc.locate(polygon, still, point) != tc.Location.OUTSIDE
+                self.assertEqual(is_in, shape.intersects(shapely.geometry.Point(point)))
+                inside += is_in
+            part = tc.Polygon(np.asarray(points[0]) + [(-0.3, -0.3), (0.3, -0.3), (0, 0.3)])
+            self.assertEqual(tc.covers(polygon, still, part, still), shape.covers(shapely.geometry.shape(part)))
+        for i, (p, of_p) in enumerate(countries):
+            for q, of_q in countries[:i]:
+                gap = of_p.distance(of_q)
+                self.assertAlmostEqual(tc.distance(p, still, q, still).distance, gap, 11)
+                self.assertEqual(tc.collide(p, still, q, still), gap == 0)
+                meets, apart = meets + (gap == 0), apart + (gap > 0)
+        self.assertTrue(inside > 1500 and meets > 200 and apart > 10_000, (inside, meets, apart))
+
 
 
 if __name__ == "__main__":
