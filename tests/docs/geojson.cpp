@@ -6,13 +6,15 @@
 #include <fstream>
 #include <string>
 
+#include "own_folder.h"
 #include "tricover/covers.h"
 #include "tricover/polygon.h"
 
 namespace {
 
 TEST(Documentation, GeoJsonFiles) {
-  const std::string folder = testing::TempDir();
+  const tricover::support::OwnFolder own;
+  const std::string folder = own.path();
   //! [read]
   // Two lanes that overlap, in metres of some national grid.
   std::ofstream(folder + "lanes.geojson")

@@ -6,13 +6,15 @@
 #include <fstream>
 #include <string>
 
+#include "own_folder.h"
 #include "tricover/collide.h"
 #include "tricover/polygon.h"
 
 namespace {
 
 TEST(Documentation, OccupancyMap) {
-  const std::string folder = testing::TempDir();
+  const tricover::support::OwnFolder own;
+  const std::string folder = own.path();
   //! [occupancy map]
   std::ofstream(folder + "hall.pgm") << "P2\n4 3\n255\n"
                                      << "0 0 0 205\n"  // the highest row: three walls, and nobody knows
@@ -34,7 +36,8 @@ TEST(Documentation, OccupancyMap) {
 }
 
 TEST(Documentation, WriteOccupancyMap) {
-  const std::string folder = testing::TempDir();
+  const tricover::support::OwnFolder own;
+  const std::string folder = own.path();
   //! [write]
   tricover::OccupancyMap map;
   map.grid = {3, 1, {0, 100, -1}, 0.05};  // free, occupied, unknown

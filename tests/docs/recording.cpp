@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <string>
+
+#include "own_folder.h"
 
 namespace {
 
@@ -33,6 +34,8 @@ TEST(Documentation, RecordingOfFrames) {
 }
 
 TEST(Documentation, RecordingOfTrajectories) {
+  const tricover::support::OwnFolder own;
+  const std::string folder = own.path();
   //! [trajectories]
   tricover::Scene scene;
   const auto robot = tricover::Polygon::box(1, 1);
@@ -45,10 +48,8 @@ TEST(Documentation, RecordingOfTrajectories) {
   recording.conflicts(scene.conflicts(plans));
   recording.impacts(scene.impacts(plans));
   recording.name(one, "forklift");
-  const std::string path = testing::TempDir() + "crossing.html";
-  recording.save(path);
+  recording.save(folder + "crossing.html");
   //! [trajectories]
-  EXPECT_EQ(std::remove(path.c_str()), 0);
 }
 
 TEST(Documentation, RecordingOfALeastDistance) {

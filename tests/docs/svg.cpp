@@ -5,12 +5,15 @@
 
 #include <string>
 
+#include "own_folder.h"
 #include "tricover/contacts.h"
 #include "tricover/polygon.h"
 
 namespace {
 
 TEST(Documentation, SvgDrawing) {
+  const tricover::support::OwnFolder own;
+  const std::string folder = own.path();
   //! [svg]
   const tricover::Polygon square({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
   const tricover::Pose still = tricover::Pose::Identity();
@@ -22,7 +25,7 @@ TEST(Documentation, SvgDrawing) {
   drawing.boxes(square, pose, 0);
   drawing.hits(square, still, square, pose);
   drawing.contacts(tricover::contacts(square, still, square, pose));
-  drawing.save(testing::TempDir() + "squares.svg");
+  drawing.save(folder + "squares.svg");
   const std::string document = drawing.str();  // what the file holds
   EXPECT_EQ(document.rfind("<svg ", 0), 0u);
   //! [svg]

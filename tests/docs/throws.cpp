@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "own_folder.h"
 #include "tricover/geojson.h"
 #include "tricover/occupancy_grid_io.h"
 #include "tricover/paper.h"
@@ -286,7 +287,8 @@ TEST(Throws, Drawings) {
 TEST(Throws, GeoJsonAndWkt) {
   const std::string geojson = R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})";
   const std::string wkt = "POLYGON ((0 0, 1 0, 1 1, 0 0))";
-  const std::string file = testing::TempDir() + "throws.geojson";
+  const support::OwnFolder folder;
+  const std::string file = folder.path() + "throws.geojson";
   std::ofstream(file) << geojson;
   const GeoOptions nowhere_near{bad_point};
   THROWS(geojson.h, readGeoJson, std::invalid_argument, readGeoJson(file, nowhere_near));

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "own_folder.h"
 #include "refusal.h"
 #include "tricover/tricover.h"
 
@@ -316,7 +317,8 @@ TEST(GeoJson, IsBoundedByTheText) {
 }
 
 TEST(GeoJson, ReadsAndWritesFiles) {
-  const std::string path = testing::TempDir() + "tricover_geojson_test.geojson";
+  const support::OwnFolder folder;
+  const std::string path = folder.path() + "file.geojson";
   writeGeoJson(path, {{Polygon::box(1, 2), "1", "{}"}});
   EXPECT_EQ(readGeoJson(path).at(0).polygon.area(), 2);
   EXPECT_EQ(readGeoJson(path).at(0).properties, "{}");
@@ -326,7 +328,7 @@ TEST(GeoJson, ReadsAndWritesFiles) {
   };
   EXPECT_NE(said(path).find(path + ": line 1: it is no JSON"), std::string::npos) << said(path);
   EXPECT_NE(said(path + ".none").find("can't be read"), std::string::npos);
-  EXPECT_NE(said(testing::TempDir()).find("can't be read"), std::string::npos);
+  EXPECT_NE(said(folder.path()).find("can't be read"), std::string::npos);
   EXPECT_THROW(writeGeoJson("/none/x.geojson", {}), std::runtime_error);
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "own_folder.h"
 #include "tricover/occupancy_grid_io.h"
 
 namespace tricover {
@@ -19,14 +20,7 @@ using Cells = std::vector<std::int8_t>;
 /// A map of 3 x 2 cells, of which a test replaces what it is about.
 class MapFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("tricover_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    write("map.pgm", "P2\n# by hand\n3 2\n255\n0 254 205\n254 0 254\n");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { write("map.pgm", "P2\n# by hand\n3 2\n255\n0 254 205\n254 0 254\n"); }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -59,7 +53,8 @@ class MapFolder : public testing::Test {
     return errorOf([&] { map(); });
   }
 
-  std::filesystem::path folder_;
+  support::OwnFolder own_;
+  const std::filesystem::path folder_ = own_.path();
 };
 
 }  // namespace tricover

@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "own_folder.h"
+
 namespace tricover {
 namespace {
 
@@ -74,7 +76,8 @@ TEST(Recording, IsTheSameEachTime) {
 }
 
 TEST(Recording, SavesAllOrNothing) {
-  const std::string path = testing::TempDir() + "recording_test.html";
+  const support::OwnFolder folder;
+  const std::string path = folder.path() + "page.html";
   const SceneRecording recording = circling(3, 2);
   recording.save(path);
   std::ifstream file(path, std::ios::binary);
