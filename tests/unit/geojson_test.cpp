@@ -243,6 +243,15 @@ TEST(GeoJson, SubtractsAnOrigin) {
   EXPECT_NE(wrong(far, {{-1.5e308, 0}}).find("ring 0, vertex 0: a coordinate minus the origin"), std::string::npos);
 }
 
+// By rounded products the first ring, counter-clockwise with an area of 1.5, has one of -32.
+TEST(GeoJson, KnowsTheDirectionOfASliver) {
+  const Ring sliver{{0, 0}, {678187773, 642667408}, {807006422, 764739127}, {762297868, 722372202}};
+  const std::string text = "[[0,0],[678187773,642667408],[807006422,764739127],[762297868,722372202],[0,0]]";
+  const GeoFeature both = one(multiText("[[" + text + "],[" + box(0, 0, 1e9, 1e9) + "]]"));
+  EXPECT_EQ(both.polygon.rings()[0], sliver);
+  EXPECT_EQ(both.polygon.fillRule(), FillRule::NonZero);
+}
+
 TEST(GeoJson, SaysWhereItIsWrong) {
   const std::string square = featureText(polygonText(kSquare));
   const std::vector<std::array<std::string, 2>> cases = {

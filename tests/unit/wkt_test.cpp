@@ -50,6 +50,14 @@ TEST(Wkt, WritesWhatItReads) {
   EXPECT_NE(support::refusal([&] { toWkt(odd.complement()); }).find("WKT can't say"), std::string::npos);
 }
 
+TEST(Wkt, GivesAHoleToTheInnermostShell) {
+  std::vector<Ring> rings;
+  for (const double half : {4.0, 3.0, 2.0, 1.0}) rings.push_back(Polygon::box(2 * half, 2 * half).rings()[0]);
+  EXPECT_EQ(toWkt(Polygon(rings)),
+            "MULTIPOLYGON (((-4 -4, 4 -4, 4 4, -4 4, -4 -4), (-3 -3, -3 3, 3 3, 3 -3, -3 -3)), "
+            "((-2 -2, 2 -2, 2 2, -2 2, -2 -2), (-1 -1, -1 1, 1 1, 1 -1, -1 -1)))");
+}
+
 TEST(Wkt, SaysWhereItIsWrong) {
   const std::vector<std::array<std::string, 2>> cases = {
       {"", "WKT: line 1: it doesn't begin with a word"},

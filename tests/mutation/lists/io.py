@@ -13,7 +13,6 @@ MUTATIONS = [
     ("src/io/parts.cpp", "requireSimple(all, regions, pairs[0]);", "", "parts: one that crosses itself among ones that overlap"),
     ("src/io/parts.cpp", "orient(ring, &ring == part.data() ? 1 : -1);", "orient(ring, 1);", "parts: holes of parts that overlap are filled"),
     ("src/io/parts.cpp", "if (crossings.size() > most) break;", "", "parts: crossings that rounding doubles each round"),
-    ("src/io/parts.cpp", "if (Vec2(p.data()) != v && Vec2(p.data()) != w)", "if (true)", "parts: vertices that stand twice where edges are cut"),
     ("src/io/parts.cpp", "if (std::abs(sum) > error && std::isfinite(error))", "if (sum != 0)", "parts: directions of flat rings by rounded areas"),
     ("src/io/parts.cpp", "if (!isIn(holes.back(), shell))", "if (false)", "parts: holes outside of their shells"),
     ("src/io/parts.cpp", "around[outer].size() > around[shell].size()", "around[outer].size() < around[shell].size()", "parts: an island's hole is given to the shell around both"),
