@@ -45,8 +45,9 @@ struct GeoFeature {
 /// inside by the even-odd rule is the region, and selfCrossings() shows where. Holes must be inside of their shell, and
 /// may touch but not overlap each other. A part that crosses itself must not overlap another part.
 ///
-/// Doubles are read exactly, whatever the locale is. The text is UTF-8; a byte order mark is skipped. Memory is bounded
-/// by a small multiple of the file's size, and arrays and objects nest at most 64 deep.
+/// Doubles are read exactly, whatever the locale is. The text is UTF-8; a byte order mark is skipped. Arrays and objects
+/// nest at most 64 deep, and parts that overlap cross at 2^20 places at most. Memory is bounded by a small multiple of
+/// the file's size and these crossings.
 ///
 /// Folders, devices and pipes are refused.
 /// \return The features in the file's order.
