@@ -99,19 +99,14 @@ void SceneState::setOptions(Slot body, const BodyOptions& options) {
   listFresh(body);
 }
 
-void SceneState::setIgnored(Slot first, Slot second, bool ignored) {
-  if (ignores(first, second) == ignored) return;
-  std::vector<Slot>&of_first = bodies[first].ignored, &of_second = bodies[second].ignored;
-  // What may throw comes first.
-  for (std::vector<Slot>* list : {&of_first, &of_second}) makeRoom(*list, 1);
-  setOptions(first, bodies[first].options);  // so that the pair is due
-  if (ignored) {
-    of_first.push_back(second);
-    of_second.push_back(first);
-  } else {
-    erase(of_first, second);
-    erase(of_second, first);
-  }
+void SceneState::setIgnored(Slot first, Slot second, bool becomes_ignored) {
+  if (ignores(first, second) == becomes_ignored) return;
+  std::set<SlotPair> both{{first, second}, {second, first}};  // what may throw comes first
+  setOptions(first, bodies[first].options);                   // so that the pair is due
+  if (becomes_ignored)
+    ignored.merge(both);
+  else
+    for (const SlotPair& pair : both) ignored.erase(pair);
 }
 
 /// Moves a body unless it leaves its box. Any number of threads may move different bodies.

@@ -56,7 +56,7 @@ void SceneState::makeRoomFor(std::size_t more) {
 Slot SceneState::put(const Polygon& polygon, const Pose& pose, const BodyOptions& options) {
   const bool anew = free_bodies.empty();
   const Slot body = anew ? static_cast<Slot>(bodies.size()) : free_bodies.back();
-  BodyState state{polygon, pose, options, 0, {}, 0, 0, 0, {}, {}, false, false, false};
+  BodyState state{polygon, pose, options, 0, {}, 0, 0, 0, {}, false, false, false};
   if (anew) {
     bodies.push_back(std::move(state));
     tenancies.emplace_back();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <vector>
 
 #include "polygon/polygon_data.h"
@@ -56,11 +57,10 @@ struct SceneState {
     double step;  ///< the length of its moves, a moving average
     ClearBox clear;
     double moved, due, box_until;
-    std::vector<Link> links;    ///< its pairs
-    std::vector<Slot> ignored;  ///< bodies that it doesn't meet, in any order
-    bool waits;                 ///< in `waiting`, and not in the tree
-    bool fresh;                 ///< in the list of this name
-    bool listed;                ///< in the list `due`
+    std::vector<Link> links;  ///< its pairs
+    bool waits;               ///< in `waiting`, and not in the tree
+    bool fresh;               ///< in the list of this name
+    bool listed;              ///< in the list `due`
   };
 
   /// Data of a slot that outlive its body.
@@ -114,10 +114,7 @@ struct SceneState {
     return (p.options.category & q.options.mask) != 0 && (q.options.category & p.options.mask) != 0 &&
            !ignores(first, second);
   }
-  bool ignores(Slot first, Slot second) const {
-    const std::vector<Slot>& of_first = bodies[first].ignored;
-    return std::find(of_first.begin(), of_first.end(), second) != of_first.end();
-  }
+  bool ignores(Slot first, Slot second) const { return ignored.count({first, second}) != 0; }
 
   void makeRoomFor(std::size_t more);
   Slot put(const Polygon& polygon, const Pose& pose, const BodyOptions& options);
@@ -129,7 +126,7 @@ struct SceneState {
   bool advance(Slot body, const Pose& pose, double step);
   void moveBody(Slot body, const Pose& pose);
   void setOptions(Slot body, const BodyOptions& options);
-  void setIgnored(Slot first, Slot second, bool ignored);
+  void setIgnored(Slot first, Slot second, bool becomes_ignored);
   /// One of many moves, and what is left to do of it.
   struct Moving {
     enum What : std::uint8_t { Done, IsDue, Later };
@@ -160,6 +157,7 @@ struct SceneState {
   std::vector<Tenancy> tenancies;
   std::vector<Slot> free_bodies;
   std::vector<Slot> unreported;  ///< removed bodies whose pairs haven't been reported as ended
+  std::set<SlotPair> ignored;    ///< pairs that don't meet, each in both orders
   std::size_t count = 0;
   BoxTree tree;
   std::vector<Slot> waiting;  ///< bodies that aren't in the tree yet
@@ -181,9 +179,6 @@ template <typename T>
 void makeRoom(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(list.size() + std::max(more, list.size()));
 }
-
-/// Erases the slot, which is in the list.
-inline void erase(std::vector<Slot>& list, Slot slot) { list.erase(std::find(list.begin(), list.end(), slot)); }
 
 /// The margin of two bodies: the sum, rounded, and finite.
 inline double marginSum(double p, double q) {
