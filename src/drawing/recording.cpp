@@ -127,10 +127,12 @@ void meet(RecordingState& state, std::vector<BodyPair> pairs, std::size_t frame)
   state.meets_now = std::move(now);
 }
 
-/// Adds what is shown with the last frame, or for an interval.
-void addItem(RecordingState& state, const std::optional<TimeInterval>& when, RecordedItem item) {
-  for (std::size_t i = 0; i < detail::pointsOf(item.kind); ++i) detail::requireFinite(item.points[i], "point");
-  requireFiniteNumber(item.length, "length");
+/// Adds what is shown with the last frame, or for an interval: all of it or, with an exception, nothing.
+void addItems(RecordingState& state, const std::optional<TimeInterval>& when, std::vector<RecordedItem> items) {
+  for (const RecordedItem& item : items) {
+    for (std::size_t i = 0; i < detail::pointsOf(item.kind); ++i) detail::requireFinite(item.points[i], "point");
+    requireFiniteNumber(item.length, "length");
+  }
   if (when) {
     requireFiniteNumber(when->begin, "when.begin");
     requireFiniteNumber(when->end, "when.end");
@@ -138,11 +140,12 @@ void addItem(RecordingState& state, const std::optional<TimeInterval>& when, Rec
   } else if (state.times.empty()) {
     detail::refuse("when", "there is no frame yet", "record a frame first, or give a time interval");
   }
+  if (items.empty()) return;
   const std::size_t frame = when ? 0 : state.times.size() - 1;
   const bool with_last =
       !state.moments.empty() && !when && !state.moments.back().when && state.moments.back().frame == frame;
   if (!with_last) state.moments.push_back({when, frame, {}});
-  state.moments.back().items.push_back(std::move(item));
+  for (RecordedItem& item : items) state.moments.back().items.push_back(std::move(item));
 }
 
 }  // namespace
@@ -227,13 +230,16 @@ void SceneRecording::impacts(const std::vector<PairImpact>& impacts) {
 }
 
 void SceneRecording::contacts(const std::vector<Contact>& contacts, const std::optional<TimeInterval>& when) {
-  for (const Contact& contact : contacts)
-    detail::requireFinite(contact.normal, "normal"),
-        addItem(*state_, when, {RecordedItem::kContact, {contact.point, contact.normal}, contact.depth, {}});
+  std::vector<RecordedItem> items;
+  for (const Contact& contact : contacts) {
+    detail::requireFinite(contact.normal, "normal");
+    items.push_back({RecordedItem::kContact, {contact.point, contact.normal}, contact.depth, {}});
+  }
+  addItems(*state_, when, std::move(items));
 }
 
 void SceneRecording::nearest(const DistanceResult& result, const std::optional<TimeInterval>& when) {
-  addItem(*state_, when, {RecordedItem::kNearest, {result.point_a, result.point_b}, result.distance, {}});
+  addItems(*state_, when, {{RecordedItem::kNearest, {result.point_a, result.point_b}, result.distance, {}}});
 }
 
 void SceneRecording::nearest(const LeastDistance& result) {
@@ -247,13 +253,13 @@ void SceneRecording::nearest(const LeastDistance& result) {
 void SceneRecording::ray(const Vec2& from, const Vec2& to, const std::optional<BodyRayHit>& hit,
                          const std::optional<TimeInterval>& when) {
   if (hit)
-    addItem(*state_, when, {RecordedItem::kRayHit, {from, to, hit->hit.point}, 0, {}});
+    addItems(*state_, when, {{RecordedItem::kRayHit, {from, to, hit->hit.point}, 0, {}}});
   else
-    addItem(*state_, when, {RecordedItem::kRay, {from, to}, 0, {}});
+    addItems(*state_, when, {{RecordedItem::kRay, {from, to}, 0, {}}});
 }
 
 void SceneRecording::text(const Vec2& position, const std::string& text, const std::optional<TimeInterval>& when) {
-  addItem(*state_, when, {RecordedItem::kText, {position}, 0, text});
+  addItems(*state_, when, {{RecordedItem::kText, {position}, 0, text}});
 }
 
 std::string SceneRecording::str() const {

@@ -115,7 +115,6 @@ class Search {
   }
 
   void visit(const Vec2& at, EdgePosition e, EdgePosition f) {
-    if (edgeAfter(polygon_, e) == f || edgeAfter(polygon_, f) == e) return;
     for (const EdgePosition edge : {e, f}) {
       if (at == path_[edge])
         visits_.push_back({ordered(at), edge, false});

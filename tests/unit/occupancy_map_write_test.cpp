@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -45,6 +47,15 @@ TEST_F(OccupancyMapWrite, EveryValueComesBack) {
   graded.grid.cells[7] = -1;
   for (const std::string image : {"", "b.png"}) expectBack(graded, image);
   EXPECT_FALSE(std::filesystem::exists(path("back.yaml.part0")));
+}
+
+TEST_F(OccupancyMapWrite, GreysAreRoundedToTheNearest) {
+  OccupancyMap map;
+  map.grid = {4, 1, {0, 33, 50, 100}};
+  writeOccupancyMap(map, path("graded.yaml"), "graded.pgm");
+  std::ifstream file(path("graded.pgm"), std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(bytes.substr(bytes.size() - 4), "\xFF\xAB\x80" + std::string(1, '\0'));
 }
 
 TEST_F(OccupancyMapWrite, NumbersComeBackBitForBit) {

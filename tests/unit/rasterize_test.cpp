@@ -66,7 +66,7 @@ TEST(Rasterize, EveryCellIsAnsweredAsCollideDoes) {
     Polygon polygon(ring);
     if (i % 4 == 3 && polygon.area() > 0) polygon = polygon.complement();
     const Pose pose = i % 2 ? poseAt(3 * unit, 3 * unit, number(-3, 3)) : poseAt(3 * unit, 3 * unit);
-    for (const double margin : {0.0, 0.5, 3.0, 0.01})
+    for (const double margin : {0.0, 0.5, 3.0, 0.01, -0.2, -0.6})
       for (const Touching touching : {Touching::Collides, Touching::Allowed}) {
         const CollideOptions options{margin * unit, 0, touching};
         const Indices cells = rasterize(polygon, pose, map, options);

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <limits>
+#include <stdexcept>
 #include <string>
 
 #include "own_folder.h"
+#include "tricover/contacts.h"
 
 namespace tricover {
 namespace {
@@ -90,6 +91,80 @@ TEST(Recording, SavesAllOrNothing) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("/no/such/folder/page.html"), std::string::npos);
   }
+}
+
+/// What a call throws; the recording is as it was.
+template <typename Error, typename Call>
+std::string refused(const SceneRecording& recording, Call call) {
+  const std::string before = recording.str();
+  std::string text;
+  EXPECT_THROW(
+      try { call(); } catch (const std::exception& error) {
+        text = error.what();
+        throw;
+      },
+      Error);
+  EXPECT_EQ(recording.str(), before);
+  return text;
+}
+
+TEST(Recording, RefusesWhatItCannotShowAndStaysAsItWas) {
+  using Invalid = std::invalid_argument;
+  using Unknown = std::out_of_range;
+  const double nan = std::nan("");
+  Scene scene, other;
+  const Scene::Body one = scene.add(Polygon::box(1, 1), poseAt(0, 0));
+  const Scene::Body two = scene.add(Polygon::box(1, 1), poseAt(3, 0));
+  const Scene::Body gone = scene.add(Polygon::box(1, 1), poseAt(3, 0));
+  scene.remove(gone);
+  other.add(Polygon::box(2, 2), poseAt(0, 0));
+  SceneRecording r;
+  r.trajectories(scene, {{two, Trajectory(poseAt(3, 0))}});
+  const Contact contact = contacts(Polygon::box(1, 1), poseAt(0, 0), Polygon::box(1, 1), poseAt(0.9, 0)).at(0);
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.contacts({contact}); }),
+            "tricover: when: there is no frame yet; record a frame first, or give a time interval");
+  r.frame(5, scene);
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.frame(5, scene); }),
+            "tricover: time: it is not later than the last frame's; give frames times that increase");
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.frame(nan, scene); }), "tricover: time: it is not finite");
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.frame(6, other); }),
+            "tricover: scene: body 0 has another polygon than before; record one scene a recording");
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.trajectories(other, {}); }),
+            "tricover: scene: body 0 has another polygon than before; record one scene a recording");
+  EXPECT_EQ(refused<Unknown>(r,
+                             [&] {
+                               r.frame(6, scene, {{one, gone}});
+                             }),
+            "tricover: meeting: body 2 is not recorded; give pairs of bodies of the scene");
+  EXPECT_EQ(refused<Unknown>(r,
+                             [&] {
+                               r.trajectories(scene, {{gone, Trajectory(poseAt(0, 0))}});
+                             }),
+            "tricover: trajectories: body 2 is not recorded; give bodies of the scene");
+  EXPECT_EQ(refused<Invalid>(r,
+                             [&] {
+                               r.trajectories(scene, {{two, Trajectory(poseAt(0, 0))}});
+                             }),
+            "tricover: trajectories: body 1 has a trajectory already; join them to one");
+  EXPECT_EQ(refused<Unknown>(r, [&] { r.name(gone, "gone"); }),
+            "tricover: body: body 2 is not recorded; record a frame or a trajectory of it first");
+  Contact bad = contact;
+  bad.depth = nan;
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.contacts({contact, bad}); }), "tricover: length: it is not finite");
+  EXPECT_EQ(refused<Invalid>(r,
+                             [&] {
+                               r.text({0, 0}, "text", TimeInterval{2, 1});
+                             }),
+            "tricover: when.end: it is before when.begin");
+  PairImpact impact{{one, two}, {1, {0, 0}, {1, 0}, 0, 0}};
+  PairConflict conflict{{one, two}, {impact.impact, 0.5, false}};
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.conflicts({conflict}); }), "tricover: conflicts.end: it is before impact.time");
+  conflict.pair.second = impact.pair.second = gone;
+  refused<Unknown>(r, [&] { r.conflicts({conflict}); });
+  refused<Unknown>(r, [&] { r.impacts({impact}); });
+  impact.pair.second = two;
+  impact.impact.time = nan;
+  EXPECT_EQ(refused<Invalid>(r, [&] { r.impacts({impact}); }), "tricover: impacts.time: it is not finite");
 }
 
 TEST(Recording, TakesWhatIsHugeTinyAndComesAndGoes) {

@@ -112,6 +112,5 @@ MUTATIONS = [
     ("src/overlay/self_crossings.cpp", "if (runs(false) || runs(true)) return true;", "if (runs(false)) return true;", "selfCrossings: rings repeated backwards"),
     ("src/overlay/self_crossings.cpp", "if (direction != shell_direction)", "if (direction == shell_direction)", "selfCrossings: holes outside"),
     ("src/overlay/self_crossings.cpp", "if (is_flat_[ring] || is_crossed_[ring]) continue;", "if (is_flat_[ring]) continue;", "selfCrossings: holes outside among rings that cross"),
-    ("src/overlay/self_crossings.cpp", "if (edgeAfter(polygon_, e) == f || edgeAfter(polygon_, f) == e) return;", "", "selfCrossings: edges that follow each other meet"),
     ("src/overlay/self_crossings.cpp", "if (isLower(path_[before]))", "if (false)", "selfCrossings: directions at a ring's first vertex"),
 ]
