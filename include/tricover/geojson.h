@@ -14,8 +14,8 @@ namespace tricover {
 struct GeoOptions {
   /// Subtracted from each coordinate: a place near the data, so that coordinates are small. Finite.
   Vec2 origin = Vec2::Zero();
-  /// Whether to leave out geometries that have no area (points and lines, and `null`), and features that are left with
-  /// no geometry. Otherwise these are errors.
+  /// Whether to leave out geometries that have no area (points, lines, `null`, and what has no coordinates), and
+  /// features that are left with no geometry. Otherwise these are errors.
   bool skip_others = false;
 };
 
@@ -45,9 +45,9 @@ struct GeoFeature {
 /// inside by the even-odd rule is the region, and selfCrossings() shows where. Holes must be inside of their shell, and
 /// may touch but not overlap each other. A part that crosses itself must not overlap another part.
 ///
-/// Doubles are read exactly, whatever the locale is. The text is UTF-8; a byte order mark is skipped. Arrays and objects
-/// nest at most 64 deep, and parts that overlap cross at 2^20 places at most. Memory is bounded by a small multiple of
-/// the file's size and these crossings.
+/// Doubles are read exactly, whatever the locale is. The text is UTF-8; a byte order mark is skipped. Arrays and
+/// objects nest at most 64 deep, and parts that overlap cross at 2^20 places at most. Memory is bounded by a small
+/// multiple of the file's size and these crossings.
 ///
 /// Folders, devices and pipes are refused.
 /// \return The features in the file's order.

@@ -89,7 +89,7 @@ class Coordinates {
   }
   void addOther() { fail("a value that is no number"); }
   void close() {
-    if (of_numbers_ == 0) fail("an empty array");
+    if (of_numbers_ == 0 && level_ > 1) fail("an empty array");
     if (level_ == of_numbers_) {
       if (count_ < 2) fail("a position without x and y");
       if (isPolygon()) parts.back().back().emplace_back(at_[0], at_[1]);
@@ -356,6 +356,8 @@ class Reader {
         object.fault = "a " + type + " has no 'coordinates'";
       else if (!object.coordinates->fault.empty())
         object.fault = "the coordinates of a " + type + " have " + object.coordinates->fault;
+      else if (object.coordinates->depth() == 0)
+        object.other = type + " without coordinates";
       else if (object.coordinates->depth() != depth)
         object.fault = "the coordinates of a " + type + " have positions in " +
                        std::to_string(object.coordinates->depth()) + " arrays, not " + std::to_string(depth);
@@ -375,10 +377,9 @@ class Reader {
   void emit(Object& object) {
     if (!object.fault.empty()) refuse(object.fault);
     if (!object.other.empty() && !options_.skip_others)
-      refuse("its geometry is a " + object.other + ", not a Polygon or MultiPolygon",
-             "set GeoOptions::skip_others to leave out what has no area");
-    if (object.parts.empty() && !object.other.empty()) return;
-    if (object.parts.empty()) refuse("its geometry has no polygon");
+      refuse("its geometry is a " + object.other + ", which has no area",
+             "set GeoOptions::skip_others to leave out such geometries");
+    if (object.parts.empty()) return;
     GeoFeature feature = detail::featureOf(std::move(object.parts), options_, place());
     if (object.type == "Feature") {
       feature.id = std::move(object.id);

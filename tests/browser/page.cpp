@@ -76,6 +76,7 @@ void addFrames(Scene& scene, SceneRecording& recording) {
       print(time, numbers[i], is_there ? scene.pose(bodies[i]) : poseAt(kNone, kNone),
             is_there ? scene.options(bodies[i]).margin : 0, i < 2 && meet);
     }
+    if (time == 14.9) recording.text({2, 3}, "until the next frame");
     ++frame;
   }
 }
@@ -98,6 +99,7 @@ int main(int, char** argv) {
   SceneRecording recording("Fifty robots <among> racks");
   recording.trajectories(scene, plans);
   recording.conflicts(scene.conflicts(plans, {0, 1e-3, true}));
+  recording.text({2, 3}, "from 4 to 6", TimeInterval{4, 6});
   recording.name(plans[3].body, "</script><b>");
   addFrames(scene, recording);
   recording.save(argv[1]);

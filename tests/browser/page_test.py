@@ -33,10 +33,38 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
   }
   key("Home"); r.home = state.time === begin; key("End"); r.end = state.time === end; key("Home");
   key("ArrowRight"); r.step = state.time > begin; key("n"); r.mark = marks.some((m) => m.begin === state.time);
+  const later = (t) => Math.min(...marks.map((m) => m.begin).filter((each) => each > t)), goes = [];
+  key("Home"); for (let i = 0; i < 3; ++i) { goes.push(later(state.time)); key("n"); if (state.time !== goes[i]) bad.push(`n goes to ${state.time}`); }
+  key("p"); if (state.time !== goes[1]) bad.push(`p goes to ${state.time}`);
+  const faster = speeds[speeds.indexOf(state.speed) + 1]; key("ArrowUp"); if (state.speed !== faster) bad.push("ArrowUp"); key("ArrowDown");
+  for (const [t, count] of [[3.99, 0], [4, 1], [6, 1], [6.01, 0], [14.9, 1], [14.95, 1], [15, 0]])
+    if (itemsAt(t).length !== count) bad.push(`${t}: ${itemsAt(t).length} things drawn`);
+  canvas.setPointerCapture = () => {};
+  const fire = (kind, p, more) => { const box = canvas.getBoundingClientRect(); canvas.dispatchEvent(new (kind === "wheel" ? WheelEvent : PointerEvent)(
+    kind, {clientX: box.left + p.x, clientY: box.top + p.y, bubbles: true, cancelable: true, pointerId: 1, button: 0, ...more})); };
+  seek(10); drawPicture();
+  // Events have whole pixels. A point there, and where it is in the world.
+  const box = canvas.getBoundingClientRect(), from = {x: Math.round(0.3 * view.width) - box.left % 1, y: Math.round(0.4 * view.height) - box.top % 1};
+  const fixed = {x: view.x + (from.x - view.width / 2) / view.scale, y: view.y - (from.y - view.height / 2) / view.scale}, before = view.scale;
+  const isAt = (x, y, what) => { const p = toScreen(fixed); if (!(Math.hypot(p.x - x, p.y - y) < 1e-3)) bad.push(`${what}: ${p.x - x}, ${p.y - y}`); };
+  fire("wheel", from, {deltaY: -200}); isAt(from.x, from.y, "zooming moves its point"); if (!(view.scale > 1.2 * before)) bad.push("the wheel");
+  fire("pointerdown", from); fire("pointermove", {x: from.x + 37, y: from.y - 21}); fire("pointerup", {x: from.x + 37, y: from.y - 21});
+  isAt(from.x + 37, from.y - 21, "dragging"); drawPicture();
+  r.hovered = 0;
+  const met = meetingsAt(10), named = () => byId("info").querySelector("b").textContent;
+  for (const {body, pose} of drawn) {  // robots that are alone, at their middles
+    const at = placeOf(body, pose), p = toScreen(at);
+    const isNear = (other) => { const there = placeOf(other.body, other.pose); return other.body !== body && Math.hypot(at.x - there.x, at.y - there.y) < 0.7; };
+    if (!body.legs || body === bodies[0] || drawn.some(isNear) || p.x < 0 || p.y < 0 || p.x > view.width || p.y > view.height) continue;
+    fire("pointermove", p); drawPicture(); showInfo(met);
+    if (state.hovered !== body || named() !== body.name) bad.push(`hovering over ${body.name} finds ${state.hovered && state.hovered.name}`);
+    ++r.hovered;
+  }
+  fire("pointermove", {x: 1, y: 1}); if (state.hovered) bad.push("the corner is hovered"); key("0");
   const scale = view.scale; key("+"); r.zoom = view.scale > scale; key("0"); r.fit = Math.abs(view.scale - fitScale()) < 1e-9 * scale;
   r.colours = colourCount(); drawPicture(); const one = canvas.toDataURL(); key("d"); drawPicture(); r.themes = one !== canvas.toDataURL();
   key("Home"); key(" "); await wait(() => state.time > begin); r.plays = state.time > begin && isPlaying; key(" "); r.pauses = !isPlaying;
-  r.tags = document.querySelectorAll("main b").length; r.bad = bad;
+  r.tags = document.querySelectorAll("main b:not(#info b)").length; r.bad = bad;
   document.title = "RESULT " + JSON.stringify(r);
 })().catch((e) => { document.title = "RESULT " + JSON.stringify({bad: [String(e)]}); });
 </script>"""
@@ -61,7 +89,7 @@ def main() -> int:
     print(result)
     held = ("home", "end", "step", "mark", "zoom", "fit", "themes", "plays", "pauses")
     good = result["bad"] == [] and all(result.get(each) is True for each in held) and result["tags"] == 0
-    return 0 if good and result["count"] == len(wanted) > 0 and result["worst"] < 1 and result["colours"] > 20 else 1
+    return 0 if good and result["count"] == len(wanted) > 0 and result["worst"] < 1 and result["colours"] > 20 and result["hovered"] > 5 else 1
 
 
 if __name__ == "__main__":

@@ -271,7 +271,11 @@ TEST(GeoJson, SaysWhereItIsWrong) {
       {collectionText(square + "," + featureText(polygonText("[[[0,0],[1,0],[1,1],[0,1]]]"), R"("id":"a",)")),
        "feature 1 (id \"a\"): ring 0, vertex 3: the ring isn't closed; end it with its first position"},
       {polygonText("[[[0,0],[1,0],[0,0]]]"), "ring 0: it has 3 positions; a ring needs at least 4"},
-      {polygonText("[]"), "the coordinates of a Polygon have an empty array"},
+      {polygonText("[]"),
+       "its geometry is a Polygon without coordinates, which has no area; set GeoOptions::skip_others"},
+      {polygonText("[[]]"), "the coordinates of a Polygon have an empty array"},
+      {polygonText("[\"a\"]"), "the coordinates of a Polygon have a value that is no number"},
+      {collectionText(R"({"type":"Feature","properties":null})"), "a Feature has no 'geometry'"},
       {polygonText("[[[0,0],[1,0],[1,1],[0,0]],[]]"), "a ring without positions at ring 1, vertex 0"},
       {polygonText("[[[0,0],[1]]]"), "a position without x and y at ring 0, vertex 1"},
       {polygonText("[[[0,0],[1,\"2\"]]]"), "a value that is no number at ring 0, vertex 1"},
@@ -294,6 +298,7 @@ TEST(GeoJson, SaysWhereItIsWrong) {
 
 TEST(GeoJson, SkipsOthersIfItMay) {
   const std::string others = featureText(R"({"type":"Point","coordinates":[]})") + "," + featureText("null") + "," +
+                             featureText(multiText("[]")) + "," + featureText(polygonText("[]")) + "," +
                              featureText(R"({"type":"MultiLineString","coordinates":[[[0,0],[1,1]]]})") + ",";
   GeoOptions options;
   options.skip_others = true;
