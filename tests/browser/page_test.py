@@ -27,6 +27,7 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
     if (Number.isNaN(x)) { if (drawn.some((each) => each.body === bodies[b])) bad.push(`${t}: body ${b} is there`); continue; }
     const item = drawn.find((each) => each.body === bodies[b]), p = placeOf(item.body, item.pose), s = toScreen(p), w = toScreen({x, y});
     r.worst = Math.max(r.worst, Math.hypot(s.x - w.x, s.y - w.y), Math.abs(Math.sin(p.heading * Math.PI / 180 - h)) * view.scale);
+    if (w.x < 0 || w.y < 0 || w.x > view.width || w.y > view.height) bad.push(`${t}: body ${b} is out of the picture`);
     if (Math.abs(item.pose.margin - margin) > 1e-6) bad.push(`${t}: the margin of body ${b}`);
     const met = meetingsAt(t).some((each) => each.a === item.body || each.b === item.body);
     if (meets !== -1 && met !== (meets === 1)) bad.push(`${t}: body ${b} meets: ${met}`);

@@ -307,6 +307,14 @@ TEST(GeoJson, SkipsOthersIfItMay) {
   EXPECT_NE(wrong(text).find("feature 0"), std::string::npos);
 }
 
+TEST(GeoJson, SkipsForeignMembersHoweverTheyNest) {
+  const std::string foreign = R"("foreign":[[1,[2]],{"type":[{"coordinates":{}},[]]}],"bbox":[[0],[[1]]],)";
+  EXPECT_EQ(one(R"({"type":"Feature",)" + foreign + R"("geometry":{)" + foreign + polygonText(kSquare).substr(1) +
+                R"(,"id":5})")
+                .id,
+            "5");
+}
+
 TEST(GeoJson, ReadsAShellThatCrossesItself) {
   const GeoFeature bow = one(polygonText("[[[0,0],[2,2],[2,0],[0,2],[0,0]]]"));
   EXPECT_EQ(bow.polygon.area(), 2);
