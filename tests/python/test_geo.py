@@ -82,6 +82,9 @@ class Interface(unittest.TestCase):
                                       ("geometry", ValueError, Geometry("Nothing"))):
             with self.subTest(message), self.assertRaisesRegex(error, message):
                 tc.Polygon(given)
+        for kind in ("Polygon", "MultiPolygon"):  # Shapely's empty ones
+            with self.assertRaisesRegex(ValueError, f"^geometry: its geometry is a {kind} without coordinates, which has no area$"):
+                tc.Polygon(Geometry(kind, coordinates=()))
         with self.assertRaisesRegex(TypeError, "__geo_interface__"):
             tc.Polygon.from_geo(17)
         with self.assertRaisesRegex(ValueError, "complement"):

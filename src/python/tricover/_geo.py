@@ -127,7 +127,9 @@ def polygon_from(given: Any) -> Polygon:
     try:
         feature, = _tricover._parse_geo_json(json.dumps(_geometry(given), default=_plain), (0, 0), False)
     except RuntimeError as error:
-        raise ValueError(f"geometry: {error}") from None
+        # There is no file, and no option to leave geometries out.
+        what = str(error).partition("; set GeoOptions")[0]
+        raise ValueError(what.replace("tricover: GeoJSON", "geometry", 1)) from None
     return feature[0]
 
 
