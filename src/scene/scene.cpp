@@ -70,11 +70,11 @@ void Scene::remove(Body body) {
   detail::makeRoom(impl.free_bodies, impl.unreported.size() + 1);
   const std::size_t before = impl.lost.size();
   while (!state.links.empty()) impl.unlink(state.links.back().pair);
-  const auto first_ignored = impl.ignored.lower_bound({slot, 0});
-  auto last_ignored = first_ignored;
-  for (; last_ignored != impl.ignored.end() && (*last_ignored)[0] == slot; ++last_ignored)
-    impl.ignored.erase({(*last_ignored)[1], slot});
-  impl.ignored.erase(first_ignored, last_ignored);
+  auto pair = impl.ignored.lower_bound({slot, 0});
+  while (pair != impl.ignored.end() && (*pair)[0] == slot) {
+    impl.ignored.erase({(*pair)[1], slot});
+    pair = impl.ignored.erase(pair);
+  }
   if (impl.tree.holds(slot)) impl.tree.remove(slot);
   // Until collisions() has reported that its pairs ended, the slot isn't given to another body; nor ever again after as
   // many bodies as handles count.

@@ -17,6 +17,7 @@ HOOK = "<script>const bad=[];window.onerror=m=>{bad.push(String(m))};console.err
 TEST = """<script>
 const wait = (is) => new Promise((done) => { let left = 400; const look = () => is() || !left-- ? done() : setTimeout(look, 10); look(); });
 const key = (name) => window.dispatchEvent(new KeyboardEvent("keydown", {key: name}));
+const isOut = (p) => p.x < 0 || p.y < 0 || p.x > view.width || p.y > view.height;
 const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canvas.width, canvas.height).data, s = new Set();
   for (let i = 0; i < p.length; i += 4) s.add(p[i] << 16 | p[i + 1] << 8 | p[i + 2]); return s.size; };
 (async () => {
@@ -27,7 +28,7 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
     if (Number.isNaN(x)) { if (drawn.some((each) => each.body === bodies[b])) bad.push(`${t}: body ${b} is there`); continue; }
     const item = drawn.find((each) => each.body === bodies[b]), p = placeOf(item.body, item.pose), s = toScreen(p), w = toScreen({x, y});
     r.worst = Math.max(r.worst, Math.hypot(s.x - w.x, s.y - w.y), Math.abs(Math.sin(p.heading * Math.PI / 180 - h)) * view.scale);
-    if (w.x < 0 || w.y < 0 || w.x > view.width || w.y > view.height) bad.push(`${t}: body ${b} is out of the picture`);
+    if (isOut(w)) bad.push(`${t}: body ${b} is out of the picture`);
     if (Math.abs(item.pose.margin - margin) > 1e-6) bad.push(`${t}: the margin of body ${b}`);
     const met = meetingsAt(t).some((each) => each.a === item.body || each.b === item.body);
     if (meets !== -1 && met !== (meets === 1)) bad.push(`${t}: body ${b} meets: ${met}`);
@@ -41,11 +42,12 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
   for (const [t, count] of [[3.99, 0], [4, 1], [6, 1], [6.01, 0], [14.9, 1], [14.95, 1], [15, 0]])
     if (itemsAt(t).length !== count) bad.push(`${t}: ${itemsAt(t).length} things drawn`);
   canvas.setPointerCapture = () => {};
-  const fire = (kind, p, more) => { const box = canvas.getBoundingClientRect(); canvas.dispatchEvent(new (kind === "wheel" ? WheelEvent : PointerEvent)(
+  const box = canvas.getBoundingClientRect();
+  const fire = (kind, p, more) => { canvas.dispatchEvent(new (kind === "wheel" ? WheelEvent : PointerEvent)(
     kind, {clientX: box.left + p.x, clientY: box.top + p.y, bubbles: true, cancelable: true, pointerId: 1, button: 0, ...more})); };
   seek(10); drawPicture();
   // Events have whole pixels. A point there, and where it is in the world.
-  const box = canvas.getBoundingClientRect(), from = {x: Math.round(0.3 * view.width) - box.left % 1, y: Math.round(0.4 * view.height) - box.top % 1};
+  const from = {x: Math.round(0.3 * view.width) - box.left % 1, y: Math.round(0.4 * view.height) - box.top % 1};
   const fixed = {x: view.x + (from.x - view.width / 2) / view.scale, y: view.y - (from.y - view.height / 2) / view.scale}, before = view.scale;
   const isAt = (x, y, what) => { const p = toScreen(fixed); if (!(Math.hypot(p.x - x, p.y - y) < 1e-3)) bad.push(`${what}: ${p.x - x}, ${p.y - y}`); };
   fire("wheel", from, {deltaY: -200}); isAt(from.x, from.y, "zooming moves its point"); if (!(view.scale > 1.2 * before)) bad.push("the wheel");
@@ -56,7 +58,7 @@ const colourCount = () => { drawPicture(); const p = pen.getImageData(0, 0, canv
   for (const {body, pose} of drawn) {  // robots that are alone, at their middles
     const at = placeOf(body, pose), p = toScreen(at);
     const isNear = (other) => { const there = placeOf(other.body, other.pose); return other.body !== body && Math.hypot(at.x - there.x, at.y - there.y) < 0.7; };
-    if (!body.legs || body === bodies[0] || drawn.some(isNear) || p.x < 0 || p.y < 0 || p.x > view.width || p.y > view.height) continue;
+    if (!body.legs || body === bodies[0] || drawn.some(isNear) || isOut(p)) continue;
     fire("pointermove", p); drawPicture(); showInfo(met);
     if (state.hovered !== body || named() !== body.name) bad.push(`hovering over ${body.name} finds ${state.hovered && state.hovered.name}`);
     ++r.hovered;

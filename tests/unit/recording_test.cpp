@@ -10,6 +10,7 @@
 #include <string>
 
 #include "own_folder.h"
+#include "refusal.h"
 #include "tricover/contacts.h"
 
 namespace tricover {
@@ -93,17 +94,11 @@ TEST(Recording, SavesAllOrNothing) {
   }
 }
 
-/// What a call throws; the recording is as it was.
+/// Returns the text of a call's exception, and checks that the recording stays as it was.
 template <typename Error, typename Call>
-std::string refused(const SceneRecording& recording, Call call) {
-  const std::string before = recording.str();
-  std::string text;
-  EXPECT_THROW(
-      try { call(); } catch (const std::exception& error) {
-        text = error.what();
-        throw;
-      },
-      Error);
+std::string refused(const SceneRecording& recording, const Call& call) {
+  const std::string before = recording.str(), text = support::refusal<Error>(call);
+  EXPECT_NE(text, "");
   EXPECT_EQ(recording.str(), before);
   return text;
 }
